@@ -1,0 +1,325 @@
+use core::fmt;
+
+use crate::math::select;
+use crate::{Direction, Real};
+
+/// A face of the cube, numbered as by Dimitrijević, Lambers & Rančić (Table 4.1).
+///
+/// Every face has a local frame (right, up, outward), right-handed and seen from outside:
+///
+/// | face | centre | right | up | outward |
+/// |---|---|---|---|---|
+/// | 0 front | 0° N 0° E | Y | Z | X |
+/// | 1 right | 0° N 90° E | −X | Z | Y |
+/// | 2 back | 0° N 180° E | −Y | Z | −X |
+/// | 3 left | 0° N 90° W | X | Z | −Y |
+/// | 4 top | north pole | Y | −X | Z |
+/// | 5 bottom | south pole | Y | X | −Z |
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(u8)]
+pub enum Face {
+    /// Around 0° N, 0° E.
+    Front = 0,
+    /// Around 0° N, 90° E.
+    Right = 1,
+    /// Around 0° N, 180° E.
+    Back = 2,
+    /// Around 0° N, 90° W.
+    Left = 3,
+    /// Around the north pole.
+    Top = 4,
+    /// Around the south pole.
+    Bottom = 5,
+}
+
+impl Face {
+    /// All six, in order.
+    pub const ALL: [Self; 6] = [
+        Self::Front,
+        Self::Right,
+        Self::Back,
+        Self::Left,
+        Self::Top,
+        Self::Bottom,
+    ];
+
+    /// The number, 0 to 5.
+    #[must_use]
+    #[inline(always)]
+    pub const fn index(self) -> u8 {
+        self as u8
+    }
+
+    /// The face of a number.
+    ///
+    /// # Errors
+    /// [`InvalidFace`] above 5.
+    #[inline]
+    pub const fn from_index(index: u8) -> Result<Self, InvalidFace> {
+        match index {
+            0 => Ok(Self::Front),
+            1 => Ok(Self::Right),
+            2 => Ok(Self::Back),
+            3 => Ok(Self::Left),
+            4 => Ok(Self::Top),
+            5 => Ok(Self::Bottom),
+            _ => Err(InvalidFace(index)),
+        }
+    }
+
+    /// The face that a ray from the centre of the cube leaves through: the axis of the largest component.
+    ///
+    /// Of equal components y goes before z, and z before x.
+    ///
+    /// ```
+    /// use terrella::{Direction, cube::Face};
+    /// assert_eq!(Face::containing(Direction::new(0.2, 0.1, -0.9)?), Face::Bottom);
+    /// # Ok::<(), terrella::InvalidDirection<f64>>(())
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn containing<T: Real>(direction: Direction<T>) -> Self {
+        let [x, y, z] = direction.to_array();
+        let polar = (z.abs() > y.abs()) & (z.abs() >= x.abs());
+        select(
+            polar,
+            Self::polar(z),
+            Self::equatorial(x, y),
+        )
+    }
+
+    /// The side face of a longitude; of equal |x| and |y| the axis y.
+    #[inline(always)]
+    pub(crate) fn equatorial<T: Real>(x: T, y: T) -> Self {
+        select(
+            y.abs() >= x.abs(),
+            select(y < T::ZERO, Self::Left, Self::Right),
+            select(x < T::ZERO, Self::Back, Self::Front),
+        )
+    }
+
+    /// Top or bottom by the sign of z.
+    #[inline(always)]
+    pub(crate) fn polar<T: Real>(z: T) -> Self {
+        select(z < T::ZERO, Self::Bottom, Self::Top)
+    }
+
+    /// Whether this is the top or the bottom.
+    #[must_use]
+    #[inline(always)]
+    pub const fn is_polar(self) -> bool {
+        self as u8 >= 4
+    }
+
+    /// Whether the outward normal is along ±Y.
+    #[inline(always)]
+    const fn is_sideways(self) -> bool {
+        matches!(self, Self::Right | Self::Left)
+    }
+
+    /// Whether the outward normal is along a negative axis.
+    #[inline(always)]
+    const fn is_negative(self) -> bool {
+        matches!(self, Self::Back | Self::Left | Self::Bottom)
+    }
+
+    /// A vector in Earth axes, in this face's frame (right, up, outward).
+    ///
+    /// ```
+    /// use terrella::cube::Face;
+    /// assert_eq!(Face::Right.to_local([1.0, 2.0, 3.0]), [-1.0, 3.0, 2.0]);
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn to_local<T: Real>(self, [x, y, z]: [T; 3]) -> [T; 3] {
+        let signed = |v: T| select(self.is_negative(), -v, v);
+        let sideways = self.is_sideways();
+        let polar = self.is_polar();
+        [
+            select(polar, y, signed(select(sideways, -x, y))),
+            select(polar, signed(-x), z),
+            signed(select(polar, z, select(sideways, y, x))),
+        ]
+    }
+
+    /// A vector in this face's frame (right, up, outward), in Earth axes: the inverse of [`Face::to_local`].
+    #[must_use]
+    #[inline(always)]
+    pub fn to_earth<T: Real>(self, [right, up, outward]: [T; 3]) -> [T; 3] {
+        let signed = |v: T| select(self.is_negative(), -v, v);
+        let sideways = self.is_sideways();
+        let polar = self.is_polar();
+        [
+            signed(select(polar, -up, select(sideways, -right, outward))),
+            select(polar, right, signed(select(sideways, outward, right))),
+            select(polar, signed(outward), up),
+        ]
+    }
+
+    /// What lies across an edge.
+    ///
+    /// ```
+    /// use terrella::cube::{Edge, Face};
+    /// let beyond = Face::Front.neighbour(Edge::Up);
+    /// assert_eq!((beyond.face, beyond.edge, beyond.turns), (Face::Top, Edge::Down, 0));
+    /// assert_eq!(Face::Right.neighbour(Edge::Up).edge, Edge::Right);
+    /// ```
+    #[must_use]
+    pub const fn neighbour(self, edge: Edge) -> Neighbour {
+        use Edge::{Down, Left, Right, Up};
+        let (face, meets) = match (self, edge) {
+            (Self::Front, Right) => (Self::Right, Left),
+            (Self::Front, Up) => (Self::Top, Down),
+            (Self::Front, Left) => (Self::Left, Right),
+            (Self::Front, Down) => (Self::Bottom, Up),
+            (Self::Right, Right) => (Self::Back, Left),
+            (Self::Right, Up) => (Self::Top, Right),
+            (Self::Right, Left) => (Self::Front, Right),
+            (Self::Right, Down) => (Self::Bottom, Right),
+            (Self::Back, Right) => (Self::Left, Left),
+            (Self::Back, Up) => (Self::Top, Up),
+            (Self::Back, Left) => (Self::Right, Right),
+            (Self::Back, Down) => (Self::Bottom, Down),
+            (Self::Left, Right) => (Self::Front, Left),
+            (Self::Left, Up) => (Self::Top, Left),
+            (Self::Left, Left) => (Self::Back, Right),
+            (Self::Left, Down) => (Self::Bottom, Left),
+            (Self::Top, Right) => (Self::Right, Up),
+            (Self::Top, Up) => (Self::Back, Up),
+            (Self::Top, Left) => (Self::Left, Up),
+            (Self::Top, Down) => (Self::Front, Up),
+            (Self::Bottom, Right) => (Self::Right, Down),
+            (Self::Bottom, Up) => (Self::Front, Down),
+            (Self::Bottom, Left) => (Self::Left, Down),
+            (Self::Bottom, Down) => (Self::Back, Down),
+        };
+        // Unfolded, the two edges coincide: `edge` pointing out is `meets` pointing in.
+        let turns = (meets as u8 + 6 - edge as u8) % 4;
+        Neighbour {
+            face,
+            edge: meets,
+            turns,
+        }
+    }
+
+    /// The three faces that meet at a corner of this face, each with that corner's name in its own frame: this face first, the
+    /// others counter-clockwise about the corner as seen from outside.
+    ///
+    /// ```
+    /// use terrella::cube::{Corner, Face};
+    /// let around = Face::Front.corner(Corner::UpRight);
+    /// assert_eq!(around.map(|(face, _)| face), [Face::Front, Face::Right, Face::Top]);
+    /// ```
+    #[must_use]
+    pub const fn corner(self, corner: Corner) -> [(Self, Corner); 3] {
+        let (first, second) = corner.edges();
+        let (a, b) = (self.neighbour(first), self.neighbour(second));
+        // The corner ends edge `first` on its counter-clockwise side and begins `second`; across an edge the sense turns round.
+        [
+            (self, corner),
+            (a.face, Corner::beginning(a.edge)),
+            (b.face, Corner::ending(b.edge)),
+        ]
+    }
+}
+
+/// A number that is no face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct InvalidFace(pub u8);
+
+impl fmt::Display for InvalidFace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "face {} is not in 0 to 5", self.0)
+    }
+}
+
+impl core::error::Error for InvalidFace {}
+
+/// An edge of a face, counter-clockwise from x = 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(u8)]
+pub enum Edge {
+    /// x = 1.
+    Right = 0,
+    /// y = 1.
+    Up = 1,
+    /// x = −1.
+    Left = 2,
+    /// y = −1.
+    Down = 3,
+}
+
+impl Edge {
+    /// All four, counter-clockwise.
+    pub const ALL: [Self; 4] = [Self::Right, Self::Up, Self::Left, Self::Down];
+}
+
+/// What lies across an edge of a face.
+///
+/// Where both faces have linear coordinates (u, v) ∈ [−1, 1]², the point (u, v) beyond an edge whose outward unit vector is e
+/// is, in the neighbour's coordinates, (u, v) − 2e turned counter-clockwise by `turns` quarter circles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Neighbour {
+    /// The face across the edge.
+    pub face: Face,
+    /// The shared edge, as that face calls it.
+    pub edge: Edge,
+    /// Counter-clockwise quarter turns, 0 to 3, that take this face's unfolded frame to the neighbour's.
+    pub turns: u8,
+}
+
+/// A corner of a face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(u8)]
+pub enum Corner {
+    /// (1, 1).
+    UpRight = 0,
+    /// (−1, 1).
+    UpLeft = 1,
+    /// (−1, −1).
+    DownLeft = 2,
+    /// (1, −1).
+    DownRight = 3,
+}
+
+impl Corner {
+    /// All four, counter-clockwise from (1, 1).
+    pub const ALL: [Self; 4] = [Self::UpRight, Self::UpLeft, Self::DownLeft, Self::DownRight];
+
+    /// The edge that ends and the edge that begins at this corner, going round counter-clockwise.
+    #[must_use]
+    pub const fn edges(self) -> (Edge, Edge) {
+        match self {
+            Self::UpRight => (Edge::Right, Edge::Up),
+            Self::UpLeft => (Edge::Up, Edge::Left),
+            Self::DownLeft => (Edge::Left, Edge::Down),
+            Self::DownRight => (Edge::Down, Edge::Right),
+        }
+    }
+
+    /// The corner at which an edge ends, going round counter-clockwise.
+    const fn ending(edge: Edge) -> Self {
+        match edge {
+            Edge::Right => Self::UpRight,
+            Edge::Up => Self::UpLeft,
+            Edge::Left => Self::DownLeft,
+            Edge::Down => Self::DownRight,
+        }
+    }
+
+    /// The corner at which an edge begins, going round counter-clockwise.
+    const fn beginning(edge: Edge) -> Self {
+        match edge {
+            Edge::Right => Self::DownRight,
+            Edge::Up => Self::UpRight,
+            Edge::Left => Self::UpLeft,
+            Edge::Down => Self::DownLeft,
+        }
+    }
+}

@@ -1,0 +1,123 @@
+use super::{Face, FacePoint, InvalidFace};
+use crate::Real;
+use crate::cube::InvalidFacePoint;
+
+/// How others number the faces and lay their axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Numbering {
+    /// Google's S2: faces 0 to 5 outward along X, Y, Z, −X, −Y, −Z.
+    S2,
+    /// OpenGL's cube maps: +X, −X, +Y, −Y, +Z, −Z, with s to the right and t downward. OpenGL's axes are the usual ones of a
+    /// renderer: its x is the Earth's Y, its y the north pole, its z the Earth's X.
+    OpenGl,
+    /// FITS WCS (Calabretta & Greisen 2002): 0 north, 1 to 4 around the equator from longitude 0, 5 south.
+    Fits,
+}
+
+impl Numbering {
+    /// Face by face, front first: the number, and the quarter turns from this crate's axes to the other's (counter-clockwise).
+    const fn entry(self, face: Face) -> (u8, u8) {
+        match (self, face) {
+            (Self::S2, Face::Front) => (0, 0),
+            (Self::S2, Face::Right) => (1, 0),
+            (Self::S2, Face::Back) => (3, 1),
+            (Self::S2, Face::Left) => (4, 1),
+            (Self::S2, Face::Top) => (2, 3),
+            (Self::S2, Face::Bottom) => (5, 0),
+            (Self::OpenGl, Face::Front) => (4, 0),
+            (Self::OpenGl, Face::Right) => (0, 0),
+            (Self::OpenGl, Face::Back) => (5, 0),
+            (Self::OpenGl, Face::Left) => (1, 0),
+            (Self::OpenGl, Face::Top) => (2, 0),
+            (Self::OpenGl, Face::Bottom) => (3, 0),
+            (Self::Fits, Face::Front) => (1, 0),
+            (Self::Fits, Face::Right) => (2, 0),
+            (Self::Fits, Face::Back) => (3, 0),
+            (Self::Fits, Face::Left) => (4, 0),
+            (Self::Fits, Face::Top) => (0, 0),
+            (Self::Fits, Face::Bottom) => (5, 0),
+        }
+    }
+
+    /// This numbering's number of a face.
+    ///
+    /// ```
+    /// use terrella::cube::{Face, Numbering};
+    /// assert_eq!(Numbering::S2.number(Face::Top), 2);
+    /// assert_eq!(Numbering::OpenGl.number(Face::Front), 4);
+    /// assert_eq!(Numbering::Fits.face(0), Ok(Face::Top));
+    /// ```
+    #[must_use]
+    pub const fn number(self, face: Face) -> u8 {
+        self.entry(face).0
+    }
+
+    /// The face of a number.
+    ///
+    /// # Errors
+    /// [`InvalidFace`] above 5.
+    pub fn face(self, number: u8) -> Result<Face, InvalidFace> {
+        Face::ALL
+            .into_iter()
+            .find(|&face| self.number(face) == number)
+            .ok_or(InvalidFace(number))
+    }
+
+    /// A point in this numbering: the number of the face, and the coordinates in [−1, 1] along its axes.
+    ///
+    /// ```
+    /// use terrella::cube::{Face, FacePoint, Numbering};
+    /// let p = FacePoint::new(Face::Top, 0.25, 0.5).unwrap();
+    /// assert_eq!(Numbering::S2.to_point(p), (2, 0.5, -0.25));
+    /// assert_eq!(Numbering::OpenGl.to_point(p), (2, 0.25, -0.5));
+    /// ```
+    #[must_use]
+    pub fn to_point<T: Real>(self, point: FacePoint<T>) -> (u8, T, T) {
+        let (number, turns) = self.entry(point.face());
+        let (x, y) = turned(point.x(), point.y(), turns);
+        (number, x, if matches!(self, Self::OpenGl) { -y } else { y })
+    }
+
+    /// The point of a face's number and coordinates in [−1, 1] in this numbering.
+    ///
+    /// # Errors
+    /// [`InvalidNumbered`] for a number above 5 or a coordinate outside [−1, 1].
+    pub fn from_point<T: Real>(self, number: u8, x: T, y: T) -> Result<FacePoint<T>, InvalidNumbered<T>> {
+        let face = self.face(number).map_err(InvalidNumbered::Face)?;
+        let up = if matches!(self, Self::OpenGl) { -y } else { y };
+        let (right, up) = turned(x, up, 4 - self.entry(face).1);
+        FacePoint::new(face, right, up).map_err(|_| InvalidNumbered::Point(InvalidFacePoint { x, y }))
+    }
+}
+
+/// (x, y) turned counter-clockwise by quarter circles.
+fn turned<T: Real>(x: T, y: T, quarters: u8) -> (T, T) {
+    match quarters % 4 {
+        0 => (x, y),
+        1 => (-y, x),
+        2 => (-x, -y),
+        _ => (y, -x),
+    }
+}
+
+/// Why [`Numbering::from_point`] refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum InvalidNumbered<T> {
+    /// No face has the number.
+    Face(InvalidFace),
+    /// A coordinate is not on the face.
+    Point(InvalidFacePoint<T>),
+}
+
+impl<T: core::fmt::Display> core::fmt::Display for InvalidNumbered<T> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Face(face) => face.fmt(f),
+            Self::Point(point) => point.fmt(f),
+        }
+    }
+}
+
+impl<T: core::fmt::Debug + core::fmt::Display> core::error::Error for InvalidNumbered<T> {}

@@ -1,0 +1,63 @@
+use super::{CubeProjection, Face, from_gnomonic};
+use crate::Real;
+
+/// The balanced cube: a polynomial map whose texels vary least, by the paper's own measure.
+///
+/// Aspect ratio 1.403 and area ratio 1.405, so that the texture oversize ε of Dimitrijević, Lambers & Rančić (2016), eq. 3.9, is
+/// 1.41 where their best projection has 2. Found by minimax search; ten multiplications and additions a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Balanced;
+
+const B: [f64; 3] = [-0.22, 0.09, -0.11];
+
+/// The factor 1 + p(b₀ + p(b₁ + b₂q)) of a coordinate, and the parts its derivatives share.
+struct Factor<T> {
+    /// b₀ + p(b₁ + b₂q).
+    a: T,
+    /// p(b₁ + b₂q).
+    c: T,
+    value: T,
+}
+
+impl<T: Real> Factor<T> {
+    #[inline(always)]
+    fn new(p: T, q: T) -> Self {
+        let [b0, b1, b2] = B.map(T::of);
+        let c = p * (b1 + b2 * q);
+        let a = b0 + c;
+        Self { a, c, value: T::ONE + p * a }
+    }
+}
+
+impl CubeProjection for Balanced {
+    #[inline(always)]
+    fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
+        let (u, v) = (right / outward, up / outward);
+        let (pu, pv) = (T::ONE - u * u, T::ONE - v * v);
+        let two = T::of(2.0);
+        // Within 9e-6; the error after one, two, three steps of Newton's method is at most 5e-11, 2e-16.
+        let start = |w: T, p: T, q: T| {
+            w * (T::ONE + p * (T::of(0.134_319) + p * (T::of(0.036_938) + T::of(0.111_502) * q)))
+        };
+        let (mut x, mut y) = (start(u, pu, pv), start(v, pv, pu));
+        for _ in 0..T::terms(3, 2) {
+            let (xx, yy) = (x * x, y * y);
+            let (p, q) = (T::ONE - xx, T::ONE - yy);
+            let (fx, fy) = (Factor::new(p, q), Factor::new(q, p));
+            let twist = T::of(-2.0 * B[2]) * x * y;
+            let (ux, uy) = (fx.value - two * xx * (fx.a + fx.c), twist * p * p);
+            let (vx, vy) = (twist * q * q, fy.value - two * yy * (fy.a + fy.c));
+            let (du, dv) = (u - x * fx.value, v - y * fy.value);
+            let determinant = ux * vy - uy * vx;
+            x += (du * vy - dv * uy) / determinant;
+            y += (dv * ux - du * vx) / determinant;
+        }
+        [x, y]
+    }
+
+    #[inline(always)]
+    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+        let (p, q) = (T::ONE - x * x, T::ONE - y * y);
+        from_gnomonic([x * Factor::new(p, q).value, y * Factor::new(q, p).value])
+    }
+}

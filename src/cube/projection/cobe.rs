@@ -1,0 +1,145 @@
+use super::{CubeProjection, Face, from_gnomonic};
+use crate::Real;
+use crate::math::Polynomial;
+
+/// The COBE sky cube, CSC, as published: both directions are polynomials, which miss each other by up to 2.9e-4.
+///
+/// Use it to read and write COBE data; [`CobeExact`] closes the round trip.
+/// Dimitrijević, Lambers & Rančić (2016) §4.4; Calabretta & Greisen (2002) §5.6.2.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cobe;
+
+/// The COBE sky cube with the exact inverse of its published forward polynomial.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CobeExact;
+
+/// The family of polynomial quadrilateralized cubes that COBE's belongs to, with the coefficients as data.
+///
+/// Forward x = F(u, v), y = F(v, u) of the gnomonic coordinates,
+/// F(u, v) = γ\*u + u³(1 − γ\*) + uv²(1 − u²)\[Γ + (M − Γ)u² + (1 − v²)ΣCᵢⱼu²ⁱv²ʲ\] + u³(1 − u²)\[Ω₁ − (1 − u²)ΣDᵢu²ⁱ\],
+/// the inverse by Newton's method on that very polynomial, so that any published set (Chan & O'Neill's QLSC of 1975 is one) closes
+/// its round trip to rounding. It must be one to one with a slope above about ½.
+///
+/// The coefficients are, in order, γ\*, M, Γ, Ω₁, C₀₀, C₁₀, C₀₁, C₁₁, C₂₀, C₀₂, D₀, D₁.
+///
+/// ```
+/// use terrella::{Direction, cube::{CubeProjection, QuadCube}};
+/// let d = Direction::new(3.0, 1.0, -2.0)?;
+/// let p = QuadCube::COBE.project(d);
+/// let back = QuadCube::COBE.unproject(p);
+/// assert!((back.y() - d.y()).abs() < 1e-15);
+/// # Ok::<(), terrella::InvalidDirection<f64>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuadCube(pub Polynomial<12, 12>);
+
+impl QuadCube {
+    /// COBE's coefficients.
+    pub const COBE: Self = Self(Polynomial::rounded([
+        1.374_848_477_32,
+        0.004_869_491_981,
+        -0.131_616_714_74,
+        -0.159_596_235_474,
+        0.141_189_631_152,
+        0.080_970_128_652_5,
+        -0.281_528_535_557,
+        0.153_841_128_76,
+        -0.178_251_207_466,
+        0.106_959_469_314,
+        0.075_919_620_046_7,
+        -0.021_776_249_069_9,
+    ]));
+
+    /// F(u, v) with its derivatives by u and by v.
+    #[inline(always)]
+    fn value_and_slopes<T: Real>(self, u: T, v: T) -> [T; 3] {
+        let [gamma_star, m, gamma, omega, c00, c10, c01, c11, c20, c02, d0, d1] = T::all(&self.0);
+        let two = T::of(2.0);
+        let (x, y) = (u * u, v * v);
+        let (p, q) = (T::ONE - x, T::ONE - y);
+        // F = u(1 + pG), exact on the edge, where p = 0.
+        let s = c00 + x * (c10 + c20 * x) + y * (c01 + c11 * x + c02 * y);
+        let edge = gamma + (m - gamma) * x;
+        let d = d0 + d1 * x;
+        let bracket = omega - p * d;
+        let g = (gamma_star - T::ONE) + (y * (edge + q * s) + x * bracket);
+        let g_x = y * ((m - gamma) + q * (c10 + c11 * y + two * c20 * x)) + bracket + x * (d - p * d1);
+        let g_y = edge + q * s - y * s + y * q * (c01 + c11 * x + two * c02 * y);
+        [
+            u + u * (p * g),
+            T::ONE + p * g + two * x * (p * g_x - g),
+            two * u * v * (p * g_y),
+        ]
+    }
+}
+
+impl CubeProjection for QuadCube {
+    #[inline(always)]
+    fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
+        let (u, v) = (right / outward, up / outward);
+        let [x, _, _] = self.value_and_slopes(u, v);
+        let [y, _, _] = self.value_and_slopes(v, u);
+        [x, y]
+    }
+
+    #[inline(always)]
+    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+        let (mut u, mut v) = (x, y);
+        for _ in 0..T::terms(6, 5) {
+            let [f, f_u, f_v] = self.value_and_slopes(u, v);
+            let [g, g_v, g_u] = self.value_and_slopes(v, u);
+            let determinant = f_u * g_v - f_v * g_u;
+            let (df, dg) = (x - f, y - g);
+            u += (df * g_v - dg * f_v) / determinant;
+            v += (dg * f_u - df * g_u) / determinant;
+        }
+        from_gnomonic([u, v])
+    }
+}
+
+impl CubeProjection for CobeExact {
+    #[inline(always)]
+    fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2] {
+        QuadCube::COBE.forward(face, local)
+    }
+
+    #[inline(always)]
+    fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3] {
+        QuadCube::COBE.inverse(face, point)
+    }
+}
+
+/// Pᵢⱼ of the published inverse u = x + x(1 − x²)ΣPᵢⱼx²ⁱy²ʲ: row j, column i.
+const P: [[f64; 7]; 7] = [
+    [-0.27292696, -0.07629969, -0.22797056, 0.54852384, -0.62930065, 0.25795794, 0.02584375],
+    [-0.02819452, -0.01471565, 0.48051509, -1.74114454, 1.71547508, -0.53022337, 0.0],
+    [0.27058160, -0.56800938, 0.30803317, 0.98938102, -0.83180469, 0.0, 0.0],
+    [-0.60441560, 1.50880086, -0.93678576, 0.08693841, 0.0, 0.0, 0.0],
+    [0.93412077, -1.41601920, 0.33887446, 0.0, 0.0, 0.0, 0.0],
+    [-0.63915306, 0.52032238, 0.0, 0.0, 0.0, 0.0, 0.0],
+    [0.14381585, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+];
+
+impl CubeProjection for Cobe {
+    #[inline(always)]
+    fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2] {
+        CobeExact.forward(face, local)
+    }
+
+    #[inline(always)]
+    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+        let half = |x: T, y: T| {
+            let (xx, yy) = (x * x, y * y);
+            let mut sum = T::ZERO;
+            for row in P.iter().rev() {
+                let mut inner = T::ZERO;
+                for &c in row.iter().rev() {
+                    inner = inner * xx + T::of(c);
+                }
+                sum = sum * yy + inner;
+            }
+            x + x * (T::ONE - xx) * sum
+        };
+        from_gnomonic([half(x, y), half(y, x)])
+    }
+}

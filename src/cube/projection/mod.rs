@@ -1,0 +1,209 @@
+//! [`CubeProjection`] and its members, one file each; [`Projection`] lists them and picks one at run time.
+
+use core::fmt;
+use core::str::FromStr;
+
+use super::{Face, FacePoint};
+use crate::math::{max, min};
+use crate::{Direction, Real};
+
+mod algebraic;
+mod balanced;
+mod cartesian;
+mod cobe;
+mod conformal;
+mod healpix;
+mod outerra;
+mod quadrilateralized;
+mod s2_quadratic;
+mod square;
+mod tangent;
+mod vertex;
+
+pub use cobe::QuadCube;
+
+/// A map between the sphere and the six faces of a cube.
+///
+/// To add one, implement [`forward`](Self::forward) and [`inverse`](Self::inverse); all else follows, at both precisions.
+///
+/// ```
+/// use terrella::cube::{CubeProjection, Face};
+/// use terrella::{Direction, Real};
+///
+/// #[derive(Clone, Copy)]
+/// struct Gnomonic;
+///
+/// impl CubeProjection for Gnomonic {
+///     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
+///         [right / outward, up / outward]
+///     }
+///     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+///         let length = (x * x + y * y + T::ONE).sqrt();
+///         [x / length, y / length, T::ONE / length]
+///     }
+/// }
+///
+/// let point = Gnomonic.project(Direction::new(2.0, 1.0, 0.0)?);
+/// assert_eq!((point.face(), point.x(), point.y()), (Face::Front, 0.5, 0.0));
+/// # Ok::<(), terrella::InvalidDirection<f64>>(())
+/// ```
+pub trait CubeProjection: Copy {
+    /// From a vector in the face's frame (right, up, outward), of unit length but for rounding, to (x, y).
+    ///
+    /// Only the direction of the vector counts: no result depends on the rounding of its length.
+    #[must_use]
+    fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2];
+
+    /// From (x, y) in [−1, 1]² to the unit vector in the face's frame (right, up, outward).
+    #[must_use]
+    fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3];
+
+    /// The face that a direction is mapped to: that of the largest component, unless the projection cuts the sphere otherwise.
+    #[must_use]
+    #[inline(always)]
+    fn face<T: Real>(&self, direction: Direction<T>) -> Face {
+        Face::containing(direction)
+    }
+
+    /// From a direction to its place on the cube.
+    #[must_use]
+    #[inline(always)]
+    fn project<T: Real>(&self, direction: Direction<T>) -> FacePoint<T> {
+        let face = self.face(direction);
+        let [x, y] = self.forward(face, face.to_local(direction.to_array()));
+        let on_face = |v| max(min(v, T::ONE), -T::ONE);
+        FacePoint::within(face, on_face(x), on_face(y))
+    }
+
+    /// From a place on the cube to its direction.
+    #[must_use]
+    #[inline(always)]
+    fn unproject<T: Real>(&self, point: FacePoint<T>) -> Direction<T> {
+        let local = self.inverse(point.face(), [point.x(), point.y()]);
+        let [x, y, z] = point.face().to_earth(local);
+        Direction::within(x, y, z)
+    }
+}
+
+macro_rules! projections {
+    ($($module:ident::$variant:ident $name:literal,)*) => {
+        $(pub use $module::$variant;)*
+
+        /// The projections of this crate, to pick one at run time.
+        ///
+        /// Code that knows its projection names the type instead, and links nothing of the others.
+        ///
+        /// ```
+        /// use terrella::{Direction, cube::{CubeProjection, Projection}};
+        /// let projection: Projection = "quadrilateralized".parse().unwrap();
+        /// let p = projection.project(Direction::new(0.0, 0.0, 1.0).unwrap());
+        /// assert_eq!((p.x(), p.y()), (0.0, 0.0));
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub enum Projection {
+            $(
+                #[doc = concat!("[`", stringify!($variant), "`](struct@", stringify!($variant), "), \"", $name, "\".")]
+                $variant,
+            )*
+        }
+
+        impl Projection {
+            /// All of them.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// The name, in lower case.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)*
+                }
+            }
+        }
+
+        impl CubeProjection for Projection {
+            #[inline]
+            fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2] {
+                match self {
+                    $(Self::$variant => $module::$variant.forward(face, local),)*
+                }
+            }
+
+            #[inline]
+            fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3] {
+                match self {
+                    $(Self::$variant => $module::$variant.inverse(face, point),)*
+                }
+            }
+
+            #[inline]
+            fn face<T: Real>(&self, direction: Direction<T>) -> Face {
+                match self {
+                    $(Self::$variant => $module::$variant.face(direction),)*
+                }
+            }
+        }
+    };
+}
+
+projections! {
+    tangent::Tangential "tangential",
+    tangent::Adjusted "adjusted",
+    outerra::Outerra "outerra",
+    cobe::Cobe "cobe",
+    cobe::CobeExact "cobe-exact",
+    quadrilateralized::Quadrilateralized "quadrilateralized",
+    cartesian::Cartesian "cartesian",
+    healpix::Healpix "healpix",
+    s2_quadratic::S2Quadratic "s2-quadratic",
+    tangent::EquiEdge "equi-edge",
+    algebraic::Algebraic "algebraic",
+    vertex::Vertex "vertex",
+    conformal::Conformal "conformal",
+    balanced::Balanced "balanced",
+    square::Square "square",
+    tangent::Separable "separable",
+}
+
+impl fmt::Display for Projection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A name that is no projection's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct UnknownProjection;
+
+impl fmt::Display for UnknownProjection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("unknown projection; known are")?;
+        Projection::ALL.iter().try_for_each(|p| write!(f, " {p}"))
+    }
+}
+
+impl core::error::Error for UnknownProjection {}
+
+impl FromStr for Projection {
+    type Err = UnknownProjection;
+
+    fn from_str(name: &str) -> Result<Self, UnknownProjection> {
+        Self::ALL.iter().copied().find(|p| p.name() == name).ok_or(UnknownProjection)
+    }
+}
+
+/// The unit vector of gnomonic coordinates (u, v): one square root, one division.
+#[inline(always)]
+fn from_gnomonic<T: Real>([u, v]: [T; 2]) -> [T; 3] {
+    normalise([u, v, T::ONE])
+}
+
+/// The unit vector of a vector near unit length.
+///
+/// On a cube's edge two components agree; the order of the sum keeps the result the same from both faces.
+#[inline(always)]
+fn normalise<T: Real>([x, y, z]: [T; 3]) -> [T; 3] {
+    let length = (x * x + y * y + z * z).sqrt();
+    [x / length, y / length, z / length]
+}

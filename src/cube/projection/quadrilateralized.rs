@@ -1,0 +1,46 @@
+use super::{CubeProjection, Face};
+use crate::Real;
+use crate::math::{QUAD_M, QUAD_T, odd_unit, select};
+
+/// The quadrilateralized cube, QSC: equal-area, with creases along the diagonals.
+///
+/// Chan & O'Neill (1975); the same map as Snyder's cube and as Roşca & Plonka's. Dimitrijević, Lambers & Rančić (2016) §4.5.
+///
+/// With t = min/max of the gnomonic coordinates, q = √(2 + t²) and ρ = √(1 + u² + v²) the longer coordinate is
+/// x = u·√(q(q + 1)/(ρ(ρ + 1))), the shorter x·m(t), with m one odd function of one variable.
+/// Nothing cancels anywhere, and on an edge ρ = q.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Quadrilateralized;
+
+impl CubeProjection for Quadrilateralized {
+    #[inline(always)]
+    fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
+        let steep = up.abs() > right.abs();
+        let major = select(steep, up, right);
+        let minor = select(steep, right, up);
+        let t = minor / select(major == T::ZERO, T::ONE, major);
+        let u = major / outward;
+        let tt = T::ONE + t * t;
+        let q = (T::ONE + tt).sqrt();
+        let rho = (T::ONE + u * u * tt).sqrt();
+        let long = u * (q * (q + T::ONE) / (rho * (rho + T::ONE))).sqrt();
+        let short = long * odd_unit(t, &QUAD_M);
+        select(steep, [short, long], [long, short])
+    }
+
+    #[inline(always)]
+    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+        let steep = y.abs() > x.abs();
+        let long = select(steep, y, x);
+        let short = select(steep, x, y);
+        let t = odd_unit(short / select(long == T::ZERO, T::ONE, long), &QUAD_T);
+        // s is the outward component on the edge; w leaves 0 there, so that outward and major agree to the last bit.
+        let s = T::ONE / (T::of(2.0) + t * t).sqrt();
+        let w = (T::ONE - long * long) * (T::ONE - s);
+        let outward = s + w;
+        let major = long * s * (T::ONE + w / (T::ONE + s)).sqrt();
+        let minor = t * major;
+        let [right, up] = select(steep, [minor, major], [major, minor]);
+        [right, up, outward]
+    }
+}

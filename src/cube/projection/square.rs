@@ -1,0 +1,60 @@
+use super::{CubeProjection, Face, normalise};
+use crate::Real;
+
+/// The square cube: texels as square as Outerra's, aspect ratio 1.013, with an area ratio of 1.89 instead of 3.09.
+///
+/// Found by minimax search over polynomial maps (x·A(x, y), y·A(y, x), Z(x, y)).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Square;
+
+const B02: f64 = -0.144_667_241_461_084_73;
+const Z20: f64 = -0.047_355_554_762_899_11;
+const Z21: f64 = 0.125_761_176_467_546_37;
+
+/// A, A with x and y exchanged, and Z, at p = 1 − x², q = 1 − y².
+#[inline(always)]
+fn factors<T: Real>([xx, yy]: [T; 2], [p, q]: [T; 2]) -> [T; 3] {
+    let (b02, z20, z21) = (T::of(B02), T::of(Z20), T::of(Z21));
+    // On an edge, where p or q is 0, Z is the same sum as the A of the coordinate across it.
+    [
+        T::ONE + (b02 * (p * (yy * yy)) + z20 * (q * q)),
+        T::ONE + (b02 * (q * (xx * xx)) + z20 * (p * p)),
+        T::ONE + (z20 * (p * p + q * q) + z21 * (p * q * (p + q))),
+    ]
+}
+
+impl CubeProjection for Square {
+    #[inline(always)]
+    fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
+        let (u, v) = (right / outward, up / outward);
+        let (b02, z20, z21) = (T::of(B02), T::of(Z20), T::of(Z21));
+        let (two, four) = (T::of(2.0), T::of(4.0));
+        let bulge = |w: T, p: T, q: T| w * (T::ONE + T::of(0.15) * p * q);
+        let (pu, pv) = (T::ONE - u * u, T::ONE - v * v);
+        let (mut x, mut y) = (bulge(u, pu, pv), bulge(v, pv, pu));
+        for _ in 0..T::terms(4, 3) {
+            let (xx, yy) = (x * x, y * y);
+            let (p, q) = (T::ONE - xx, T::ONE - yy);
+            let [a, b, z] = factors([xx, yy], [p, q]);
+            // Newton's method on x·A − u·Z = 0, y·B − v·Z = 0.
+            let zx = -two * x * (two * z20 * p + z21 * q * (two * p + q));
+            let zy = -two * y * (two * z20 * q + z21 * p * (two * q + p));
+            let gx = a - two * b02 * xx * (yy * yy) - u * zx;
+            let gy = four * x * y * (b02 * p * yy - z20 * q) - u * zy;
+            let hx = four * x * y * (b02 * q * xx - z20 * p) - v * zx;
+            let hy = b - two * b02 * yy * (xx * xx) - v * zy;
+            let (g, h) = (x * a - u * z, y * b - v * z);
+            let determinant = gx * hy - gy * hx;
+            x -= (g * hy - h * gy) / determinant;
+            y -= (h * gx - g * hx) / determinant;
+        }
+        [x, y]
+    }
+
+    #[inline(always)]
+    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+        let (xx, yy) = (x * x, y * y);
+        let [a, b, z] = factors([xx, yy], [T::ONE - xx, T::ONE - yy]);
+        normalise([x * a, y * b, z])
+    }
+}

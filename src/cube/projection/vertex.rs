@@ -1,0 +1,79 @@
+use super::{CubeProjection, Face, normalise};
+use crate::Real;
+use crate::math::{VERTEX_T, VERTEX_TAU, select};
+
+/// The vertex equal-area cube: van Leeuwen & Strebe's slice and dice (2006) on the cube's 48 triangles, with the corner of the
+/// cube as apex.
+///
+/// Equal-area in closed form both ways, with much smaller creases than the quadrilateralized cube, which is the same construction
+/// from the face's centre: angular deformation at most 20.25°.
+///
+/// In the octant 0 ≤ y ≤ x: a great circle from the corner V through the point P meets the midline at D; r = |VP|/|VD| (chords) is
+/// 1 − y, and t is the share of the triangle's area on the midline's side of VD.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Vertex;
+
+const SQRT_3: f64 = 1.732_050_807_568_877_2;
+const TAN_PI_8: f64 = core::f64::consts::SQRT_2 - 1.0;
+
+impl CubeProjection for Vertex {
+    #[inline(always)]
+    fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
+        let steep = up.abs() > right.abs();
+        let x = select(steep, up, right).abs();
+        let y = select(steep, right, up).abs();
+        let z = outward;
+        // D is along (x − y, 0, z − y): the differences are those that |V × P| is made of, exact near the corner.
+        let (dx, dz) = (x - y, z - y);
+        let d = dx / select(dz == T::ZERO, T::ONE, dz);
+        let tau = d * T::of(1.0 + core::f64::consts::SQRT_2) / (T::ONE + (T::ONE + d * d).sqrt());
+        let t = unit(tau, tau.polynomial(&VERTEX_T));
+
+        // 1 − V·P = |V × P|²/(ρ(ρ + S/√3)) with ρ the length, S the sum of components; |V × P| = |V × D|.
+        let third = T::of(1.0 / SQRT_3);
+        let rho = (x * x + y * y + z * z).sqrt();
+        let rho_d = (dx * dx + dz * dz).sqrt();
+        let s_d = dx + dz;
+        let above = rho * (rho + (x + y + z) * third);
+        let r = (rho_d * (rho_d + s_d * third) / above).sqrt();
+        // y = 1 − r from 1 − r², every term of which has the factor y.
+        let w = T::of(2.0) * (x + z) - y;
+        let rest = w + (T::of(3.0) * rho + s_d * w / (rho + rho_d)) * third;
+        let short = y * rest / (above * (T::ONE + r));
+        let long = short + r * t;
+        let [a, b] = select(steep, [short, long], [long, short]);
+        [a.copysign(right), b.copysign(up)]
+    }
+
+    #[inline(always)]
+    fn inverse<T: Real>(&self, _: Face, [px, py]: [T; 2]) -> [T; 3] {
+        let steep = py.abs() > px.abs();
+        let x = select(steep, py, px).abs();
+        let y = select(steep, px, py).abs();
+        let r = T::ONE - y;
+        let t = (x - y) / select(r == T::ZERO, T::ONE, r);
+        let tau = unit(t, t.polynomial(&VERTEX_TAU));
+        // tan ξ from tan(ξ/2)/tan(π/8), exact at the edge; D = (sin ξ, 0, cos ξ).
+        let d = tau / (T::ONE + T::of(TAN_PI_8 / 2.0) * (T::ONE - tau * tau));
+        let cos = T::ONE / (T::ONE + d * d).sqrt();
+        let sin = d * cos;
+
+        let third = T::of(1.0 / SQRT_3);
+        let g = T::ONE - (sin + cos) * third;
+        let h = r * r * g;
+        let sigma = ((T::of(2.0) - h) / (T::of(2.0) - g)).sqrt();
+        // P = κD + cV, and c has the factor y.
+        let kappa = r * sigma;
+        let bend = r * (T::ONE - g) * g * (T::ONE + r) / ((T::of(2.0) - g) * (T::ONE + sigma));
+        let c = third * y * (T::ONE + r * g - bend);
+        let long = kappa * sin + c;
+        let [a, b] = select(steep, [c, long], [long, c]);
+        normalise([a.copysign(px), b.copysign(py), kappa * cos + c])
+    }
+}
+
+/// A function that fixes 0 and 1, from the polynomial p in f(x) = x + x(1 − x)p(x).
+#[inline(always)]
+fn unit<T: Real>(x: T, p: T) -> T {
+    x + x * (T::ONE - x) * p
+}

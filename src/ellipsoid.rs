@@ -1,0 +1,194 @@
+//! [`Ellipsoid`]: the size and shape of a planet.
+
+use core::fmt;
+
+use crate::Real;
+use crate::math::{atan, cbrt};
+
+/// An ellipsoid of revolution: semi-major (equatorial) axis a in metres and flattening f = (a − b)/a.
+///
+/// Oblate for f > 0, a sphere for f = 0, prolate for f < 0.
+///
+/// ```
+/// use terrella::Ellipsoid;
+/// let earth = Ellipsoid::<f64>::wgs84();
+/// assert_eq!(earth.a(), 6_378_137.0);
+/// assert!((earth.b() - 6_356_752.314_245).abs() < 1e-6);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Ellipsoid<T> {
+    a: T,
+    f: T,
+}
+
+macro_rules! named {
+    ($($(#[$doc:meta])* $function:ident, $name:literal, $a:expr, $f:expr;)*) => {
+        /// Names that [`Ellipsoid::named`] knows.
+        pub const NAMED: &[&str] = &[$($name),*];
+
+        impl<T: Real> Ellipsoid<T> {
+            $(
+                $(#[$doc])*
+                #[must_use]
+                #[inline]
+                pub fn $function() -> Self {
+                    Self { a: T::of($a), f: T::of($f) }
+                }
+            )*
+
+            /// The ellipsoid of a name in [`NAMED`].
+            ///
+            /// ```
+            /// # use terrella::Ellipsoid;
+            /// assert_eq!(Ellipsoid::named("mars"), Some(Ellipsoid::<f32>::mars()));
+            /// ```
+            #[must_use]
+            pub fn named(name: &str) -> Option<Self> {
+                match name {
+                    $($name => Some(Self::$function()),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+named! {
+    /// World Geodetic System 1984: 6 378 137 m, 1/298.257223563.
+    wgs84, "wgs84", 6_378_137.0, 1.0 / 298.257_223_563;
+    /// Geodetic Reference System 1980: 6 378 137 m, 1/298.257222101.
+    grs80, "grs80", 6_378_137.0, 1.0 / 298.257_222_101;
+    /// Clarke 1866: 6 378 206.4 m, b = 6 356 583.8 m.
+    clarke1866, "clarke1866", 6_378_206.4, 21_622.6 / 6_378_206.4;
+    /// International (Hayford) 1924: 6 378 388 m, 1/297.
+    international1924, "international1924", 6_378_388.0, 1.0 / 297.0;
+    /// Airy 1830: 6 377 563.396 m, 1/299.3249646.
+    airy1830, "airy1830", 6_377_563.396, 1.0 / 299.324_964_6;
+    /// Bessel 1841: 6 377 397.155 m, 1/299.1528128.
+    bessel1841, "bessel1841", 6_377_397.155, 1.0 / 299.152_812_8;
+    /// The Moon, a sphere of 1 737 400 m (IAU).
+    moon, "moon", 1_737_400.0, 0.0;
+    /// Mars: 3 396 190 m, 1/169.8944472 (IAU).
+    mars, "mars", 3_396_190.0, 1.0 / 169.894_447_2;
+}
+
+impl<T: Real> Ellipsoid<T> {
+    /// From the semi-major axis in metres and the flattening.
+    ///
+    /// # Errors
+    /// [`InvalidEllipsoid`] unless 0 < a < ∞ and −∞ < f < 1.
+    pub fn new(a: T, f: T) -> Result<Self, InvalidEllipsoid<T>> {
+        if !(a > T::ZERO && a.is_finite()) {
+            return Err(InvalidEllipsoid::SemiMajorAxis(a));
+        }
+        if !(f < T::ONE && f.is_finite()) {
+            return Err(InvalidEllipsoid::Flattening(f));
+        }
+        Ok(Self { a, f })
+    }
+
+    /// A sphere of the given radius in metres.
+    ///
+    /// # Errors
+    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 0 < radius < ∞.
+    pub fn sphere(radius: T) -> Result<Self, InvalidEllipsoid<T>> {
+        Self::new(radius, T::ZERO)
+    }
+
+    /// The semi-major axis a, the radius of the equator, in metres.
+    #[must_use]
+    #[inline(always)]
+    pub fn a(self) -> T {
+        self.a
+    }
+
+    /// The flattening f.
+    #[must_use]
+    #[inline(always)]
+    pub fn f(self) -> T {
+        self.f
+    }
+
+    /// The polar semi-axis b = a(1 − f) in metres.
+    #[must_use]
+    #[inline]
+    pub fn b(self) -> T {
+        self.a * (T::ONE - self.f)
+    }
+
+    /// The third flattening n = (a − b)/(a + b) = f/(2 − f).
+    #[must_use]
+    #[inline]
+    pub fn n(self) -> T {
+        self.f / (T::of(2.0) - self.f)
+    }
+
+    /// The first eccentricity squared, e² = f(2 − f); negative if prolate.
+    #[must_use]
+    #[inline]
+    pub fn e2(self) -> T {
+        self.f * (T::of(2.0) - self.f)
+    }
+
+    /// The second eccentricity squared, e′² = e²/(1 − e²); negative if prolate.
+    #[must_use]
+    #[inline]
+    pub fn ep2(self) -> T {
+        let axes = T::ONE - self.f;
+        self.e2() / (axes * axes)
+    }
+
+    /// The mean radius (2a + b)/3 in metres.
+    #[must_use]
+    pub fn mean_radius(self) -> T {
+        self.a * (T::ONE - self.f / T::of(3.0))
+    }
+
+    /// The radius in metres of the sphere of equal volume, (a²b)^⅓.
+    #[must_use]
+    pub fn volumetric_radius(self) -> T {
+        self.a * cbrt(T::ONE - self.f)
+    }
+
+    /// The radius in metres of the sphere of equal area.
+    ///
+    /// a²/2 + b²/2 · atanh(e)/e, with atan in place of atanh if prolate.
+    #[must_use]
+    pub fn authalic_radius(self) -> T {
+        let half = T::of(0.5);
+        let e = self.e2().abs().sqrt();
+        // atanh(e)/e → 1 as e → 0.
+        let ratio = if e == T::ZERO {
+            T::ONE
+        } else if self.f > T::ZERO {
+            half * (T::of(2.0) * e / (T::ONE - e)).ln_1p() / e
+        } else {
+            atan(e) / e
+        };
+        let axes = T::ONE - self.f;
+        self.a * (half + half * axes * axes * ratio).sqrt()
+    }
+}
+
+/// Why [`Ellipsoid::new`] refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum InvalidEllipsoid<T> {
+    /// The semi-major axis is not a positive, finite number.
+    SemiMajorAxis(T),
+    /// The flattening is not a finite number below 1.
+    Flattening(T),
+}
+
+impl<T: fmt::Display> fmt::Display for InvalidEllipsoid<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::SemiMajorAxis(a) => write!(f, "semi-major axis {a} is not positive and finite"),
+            Self::Flattening(flattening) => write!(f, "flattening {flattening} is not a finite number below 1"),
+        }
+    }
+}
+
+impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidEllipsoid<T> {}

@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""Makes `minimax.rs`, the polynomials of the kernels: `python3 minimax.py > minimax.rs && rustfmt minimax.rs`.
+
+Each entry is a smooth function g on an interval. Remez exchange finds the polynomial whose weighted error
+|w (g - p)| has the smallest maximum; the degree is the smallest that stays under the bound of the scalar.
+Coefficients are rounded to the scalar at the end: every kernel adds its polynomial as a correction to a
+leading term, so that this rounding stays far below half an ulp of the result.
+
+Needs mpmath only.
+"""
+
+from mpmath import mp, mpf, pi, sqrt, sin, cos, tan, atan, matrix, lu_solve, chebyt
+import struct
+
+mp.dps = 60
+BOUND = {"f64": mpf(2) ** -58, "f32": mpf(2) ** -28.5}
+
+
+def odd_correction(f):
+    """g with f(x) = x + x z g(z), z = x²."""
+    return lambda z: (f(sqrt(z)) / sqrt(z) - 1) / z
+
+
+def odd_unit(f):
+    """g with f(x) = x - x (1 - z) g(z), z = x², for an odd f with f(1) = 1."""
+    return lambda z: (1 - f(sqrt(z)) / sqrt(z)) / (1 - z)
+
+
+def unit(f):
+    """g with f(x) = x + x (1 - x) g(x), for f(0) = 0 and f(1) = 1."""
+    return lambda x: (f(x) / x - 1) / (1 - x)
+
+
+def quad_m(t):
+    return 12 / pi * (atan(t) - atan(t / sqrt(2 + t * t)))
+
+
+def quad_t(m):
+    return sin(pi * m / 12) / (cos(pi * m / 12) - 1 / sqrt(mpf(2)))
+
+
+# Vertex equal-area: tau = tan(xi/2) / tan(pi/8) against the share t of the triangle's area.
+K = (sqrt(mpf(3)) - 1) / sqrt(mpf(2))
+TAN_PI_8 = sqrt(mpf(2)) - 1
+
+
+def vertex_tau(t):
+    T = tan(pi * t / 24)
+    return sqrt(mpf(2)) * T / (K * (1 - T)) / TAN_PI_8
+
+
+def vertex_t(tau):
+    half = tau * TAN_PI_8
+    return 24 / pi * atan(K * half / (sqrt(mpf(2)) + K * half))
+
+
+QUARTER = (pi / 4 * mpf("1.0001")) ** 2
+ENTRIES = [
+    ("SIN", "sin x = x + x³·p(x²), |x| ≤ π/4", odd_correction(sin), 0, QUARTER, lambda z: z),
+    ("COS", "cos x = 1 − x²/2 + x⁴·p(x²), |x| ≤ π/4", lambda z: ((cos(sqrt(z)) - 1) / z + mpf(1) / 2) / z, 0, QUARTER, lambda z: z * z),
+    ("TAN", "tan x = x + x³·p(x²), |x| ≤ π/4", odd_correction(tan), 0, QUARTER, lambda z: z),
+    ("ATAN", "atan x = x + x³·p(x²), |x| ≤ 7/16", odd_correction(atan), 0, mpf(49) / 256, lambda z: z),
+    ("QUAD_M", "m(t) = t − t·(1 − t²)·p(t²), |t| ≤ 1: the forward ordinate of the quadrilateralized cube", odd_unit(quad_m), 0, 1, lambda z: 1 - z),
+    ("QUAD_T", "t(m) = m − m·(1 − m²)·p(m²), |m| ≤ 1: its inverse", odd_unit(quad_t), 0, 1, lambda z: 1 - z),
+    ("VERTEX_T", "t(τ) = τ + τ·(1 − τ)·p(τ), 0 ≤ τ ≤ 1: the vertex map's area share", unit(vertex_t), 0, 1, lambda x: 1 - x),
+    ("VERTEX_TAU", "τ(t) = t + t·(1 − t)·p(t), 0 ≤ t ≤ 1: its inverse", unit(vertex_tau), 0, 1, lambda x: 1 - x),
+]
+
+
+def remez(g, lo, hi, weight, terms):
+    """Coefficients (ascending) and the largest weighted error."""
+    lo, hi = mpf(lo), mpf(hi)
+    inset = (hi - lo) * mpf(10) ** -12  # g has removable singularities at the ends
+    lo, hi = lo + inset, hi - inset
+    mid, half = (lo + hi) / 2, (hi - lo) / 2
+    nodes = [mid - half * cos(pi * (2 * k + 1) / (2 * (terms + 1))) for k in range(terms + 1)]
+    grid = [mid - half * cos(pi * k / (24 * terms)) for k in range(24 * terms + 1)]
+    values = [g(x) for x in grid]
+    for _ in range(12):
+        a = matrix(terms + 1, terms + 1)
+        b = matrix(terms + 1, 1)
+        for i, x in enumerate(nodes):
+            w = weight(x)
+            s = (x - mid) / half
+            for j in range(terms):
+                a[i, j] = w * chebyt(j, s)
+            a[i, terms] = (-1) ** i
+            b[i] = w * g(x)
+        c = lu_solve(a, b)
+        cheb = [c[j] for j in range(terms)]
+
+        def p(x):
+            s = (x - mid) / half
+            b1 = b2 = mpf(0)
+            for cj in reversed(cheb[1:]):
+                b1, b2 = 2 * s * b1 - b2 + cj, b1
+            return s * b1 - b2 + cheb[0]
+
+        errors = [weight(x) * (v - p(x)) for x, v in zip(grid, values)]
+        # One extremum for each run of equal sign.
+        runs, best = [], 0
+        for k in range(1, len(errors)):
+            if errors[k] * errors[best] < 0:
+                runs.append(best)
+                best = k
+            elif abs(errors[k]) > abs(errors[best]):
+                best = k
+        runs.append(best)
+        worst = max(abs(e) for e in errors)
+        while len(runs) > terms + 1:
+            runs.pop(0 if abs(errors[runs[0]]) < abs(errors[runs[-1]]) else -1)
+        if len(runs) < terms + 1 or worst < abs(c[terms]) * mpf("1.01"):
+            break
+        nodes = [grid[k] for k in runs]
+    # Chebyshev in s to powers of x.
+    powers = [mpf(0)] * terms
+    t0, t1 = [mpf(1)], [-mid / half, 1 / half]
+    for j in range(terms):
+        for k, v in enumerate(t0):
+            powers[k] += cheb[j] * v
+        t2 = [mpf(0)] * (len(t1) + 1)
+        for k, v in enumerate(t1):
+            t2[k] -= 2 * mid / half * v
+            t2[k + 1] += 2 / half * v
+        for k, v in enumerate(t0):
+            t2[k] -= v
+        t0, t1 = t1, t2
+    return powers, worst
+
+
+def shortest(g, lo, hi, weight, bound):
+    for terms in range(2, 40):
+        powers, worst = remez(g, lo, hi, weight, terms)
+        if worst < bound:
+            return powers, worst
+    raise SystemExit("no polynomial is short enough")
+
+
+def literal(value, scalar):
+    if scalar == "f64":
+        return repr(float(value))
+    single = struct.unpack("f", struct.pack("f", float(value)))[0]
+    for digits in range(6, 10):
+        text = f"{single:.{digits}e}"
+        if struct.unpack("f", struct.pack("f", float(text)))[0] == single:
+            return text
+    return repr(single)
+
+
+def main():
+    print("//! Made by `minimax.py`; do not edit.\n")
+    print("use super::Polynomial;\n")
+    for name, text, g, lo, hi, weight in ENTRIES:
+        tables = {s: shortest(g, lo, hi, weight, BOUND[s]) for s in ("f64", "f32")}
+        n, m = len(tables["f64"][0]), len(tables["f32"][0])
+        print(f"/// {text}; error {mp.nstr(tables['f64'][1], 2)} (f64), {mp.nstr(tables['f32'][1], 2)} (f32).")
+        print(f"pub(crate) const {name}: Polynomial<{n}, {m}> = Polynomial {{")
+        for scalar in ("f64", "f32"):
+            print(f"    {scalar}: [{', '.join(literal(c, scalar) for c in tables[scalar][0])}],")
+        print("};\n")
+
+
+main()

@@ -1,0 +1,95 @@
+use super::minimax::{COS, SIN};
+use super::select;
+use crate::Real;
+
+/// Sine and cosine of an angle in radians.
+///
+/// Within 0.55 ulp for |x| ≤ 10⁵ (`f64`) or 10³ (`f32`), next to the multiples of π/2 too; NaN beyond.
+///
+/// Reduction by three parts of π/2 (Cody and Waite), polynomials of `minimax.py`.
+///
+/// ```
+/// let (sin, cos) = terrella::math::sin_cos(core::f64::consts::FRAC_PI_2);
+/// assert_eq!((sin, cos), (1.0, 6.123233995736766e-17));
+/// ```
+#[must_use]
+#[inline]
+pub fn sin_cos<T: Real>(x: T) -> (T, T) {
+    let q = (x * T::of(core::f64::consts::FRAC_2_PI)).round();
+    // π/2 in parts of 33, 33 and 53 bits (12, 12, 24): q times each of the first two is exact.
+    let a = x - q * T::pick(1.570_796_326_734_125_6, 1.570_312_5);
+    let b = q * T::pick(6.077_100_506_303_966e-11, 4.837_512_969_970_703e-4);
+    let c = q * T::pick(2.022_266_248_795_950_6e-21, 7.549_79e-8);
+    let high = a - b;
+    let low = ((a - high) - b) - c;
+    // The part that the third subtraction shifts into `high` matters where a − b cancels.
+    let r = high + low;
+    let low = (high - r) + low;
+    let limit = T::pick(1e5, 1e3);
+    let r = select(x.abs() <= limit, r, T::of(f64::NAN));
+    quadrant(q, reduced(r, low))
+}
+
+/// Sine and cosine of an angle in degrees.
+///
+/// Within 0.55 ulp for |x| ≤ 10⁹ (`f64`) or 10⁶ (`f32`), NaN beyond; 0, ±½ and ±1 are exact where they are the result.
+///
+/// ```
+/// let (sin, cos) = terrella::math::sin_cos_degrees(-240.0_f32);
+/// assert_eq!(cos, -0.5);
+/// assert_eq!(terrella::math::sin_cos_degrees(180.0_f64), (0.0, -1.0));
+/// ```
+#[must_use]
+#[inline]
+pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
+    let q = (x * T::of(1.0 / 90.0)).round();
+    let r = select(x.abs() <= T::pick(1e9, 1e6), x - q * T::of(90.0), T::of(f64::NAN));
+    let (high, low) = radians(r);
+    let (sin, cos) = reduced(high, low);
+    quadrant(q, (sin, cos))
+}
+
+/// Degrees to radians, as a sum of two numbers: π/180 is split so that its head times the argument's head is exact.
+#[inline(always)]
+fn radians<T: Real>(degrees: T) -> (T, T) {
+    let (head, tail) = degrees.split();
+    let k1 = T::pick(0.017_453_292_384_743_69, 0.017_448_425);
+    let k2 = T::pick(1.351_996_052_785_142_5e-10, 4.867_227e-6);
+    let product = head * k1;
+    let rest = tail * k1 + degrees * k2;
+    let high = product + rest;
+    (high, rest - (high - product))
+}
+
+/// Sine and cosine of `x + low`, |x| ≤ π/4, `low` below half an ulp of `x`.
+#[inline(always)]
+fn reduced<T: Real>(x: T, low: T) -> (T, T) {
+    let z = x * x;
+    let half = z * T::of(0.5);
+    // sin(x + l) = x + (l·cos x + x³p); cos x ≈ 1 − z/2 is enough for l.
+    let sin = x + (low * (T::ONE - half) + x * z * z.polynomial(&SIN));
+    // 1 − z/2 is rounded once; what that lost goes into the small terms (as in fdlibm's k_cos).
+    let w = T::ONE - half;
+    let cos = w + (((T::ONE - w) - half) + (z * z * z.polynomial(&COS) - x * low));
+    (sin, cos)
+}
+
+/// Sine and cosine of |x| ≤ π/4, without a reduction.
+#[inline(always)]
+pub(crate) fn sin_cos_small<T: Real>(x: T) -> (T, T) {
+    reduced(x, T::ZERO)
+}
+
+/// Turns the sine and cosine of the remainder by q quarter circles.
+#[inline(always)]
+fn quadrant<T: Real>(q: T, (sin, cos): (T, T)) -> (T, T) {
+    // q mod 4 in {−2, …, 2} without leaving the scalar, exact.
+    let m = q - (q * T::of(0.25)).round() * T::of(4.0);
+    let odd = m.abs() == T::ONE;
+    let s = select(odd, cos, sin);
+    let c = select(odd, sin, cos);
+    let two = m.abs() == T::of(2.0);
+    let s_negative = two | (m == -T::ONE);
+    let c_negative = two | (m == T::ONE);
+    (select(s_negative, -s, s), select(c_negative, -c, c))
+}

@@ -1,0 +1,239 @@
+//! [`Real`], the scalar everything is generic over.
+
+use core::fmt::{Debug, Display};
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use crate::math::Polynomial;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// A scalar: `f32` or `f64`. Sealed.
+///
+/// Only what depends on the precision lives here: constants, the length of a polynomial, how a word is split. All else is
+/// written once, generically, from `+ − × ÷ √`; the `f32` instantiation does no `f64` arithmetic.
+///
+/// ```
+/// use terrella::Real;
+/// fn cube<T: Real>(x: T) -> T {
+///     x * x * x
+/// }
+/// assert_eq!(cube(2.0_f32), 8.0);
+/// ```
+pub trait Real:
+    sealed::Sealed
+    + Copy
+    + Default
+    + Debug
+    + Display
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + Send
+    + Sync
+    + 'static
+{
+    /// 0.
+    const ZERO: Self;
+    /// 1.
+    const ONE: Self;
+    /// The distance from 1 to the next larger number: 2⁻²³ or 2⁻⁵².
+    const EPSILON: Self;
+
+    /// The scalar nearest to a literal. Of a constant it is a constant: no conversion is left at run time.
+    #[must_use]
+    fn of(literal: f64) -> Self;
+
+    /// One of two constants, by precision.
+    #[must_use]
+    fn pick(for_f64: f64, for_f32: f32) -> Self;
+
+    /// The polynomial `c₀ + c₁x + c₂x² + …`, with the coefficients of this precision, by Horner's rule.
+    #[must_use]
+    fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self;
+
+    /// One coefficient for this precision, 0 past the end.
+    #[must_use]
+    fn coefficient<const N: usize, const M: usize>(coefficients: &Polynomial<N, M>, index: usize) -> Self;
+
+    /// All coefficients for this precision, where there are as many for both.
+    #[must_use]
+    fn all<const N: usize>(coefficients: &Polynomial<N, N>) -> [Self; N];
+
+    /// How many terms or steps this precision needs.
+    #[must_use]
+    fn terms(for_f64: usize, for_f32: usize) -> usize;
+
+    /// The correctly rounded square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// The absolute value.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// The magnitude of `self` with the sign of `sign`, signed zeros included.
+    #[must_use]
+    fn copysign(self, sign: Self) -> Self;
+
+    /// Whether the value is neither infinite nor NaN.
+    #[must_use]
+    fn is_finite(self) -> bool;
+
+    /// The nearest integer, ties to even, for |x| ≤ 2⁵¹ (`f64`) or 2²² (`f32`).
+    ///
+    /// By adding and subtracting 1.5·2⁵² (1.5·2²³): two additions on every machine, where `rint` may be a call.
+    #[must_use]
+    fn round(self) -> Self;
+
+    /// `(h, l)` with `h + l = x` exactly and `h` short enough for `h·h'` to be exact with any other such `h'`
+    /// (Veltkamp's splitting). For |x| below the square root of the largest number.
+    #[must_use]
+    fn split(self) -> (Self, Self) {
+        let scaled = self * Self::pick(134_217_729.0, 4097.0);
+        let high = scaled - (scaled - self);
+        (high, self - high)
+    }
+
+    /// A first guess at the cube root of a positive normal number, within 4 % (the exponent divided by three).
+    #[must_use]
+    fn cbrt_guess(self) -> Self;
+
+    /// The remainder of `self / divisor` with the sign of `self`; exact.
+    #[must_use]
+    fn remainder(self, divisor: Self) -> Self;
+
+    /// ln(1 + x), within 1 ulp.
+    #[must_use]
+    fn ln_1p(self) -> Self;
+
+    /// eˣ − 1, within 1 ulp.
+    #[must_use]
+    fn exp_m1(self) -> Self;
+}
+
+macro_rules! real {
+    ($float:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path, $log1p:path, $expm1:path) => {
+        impl Real for $float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const EPSILON: Self = $float::EPSILON;
+
+            #[inline(always)]
+            fn of(literal: f64) -> Self {
+                literal as $float
+            }
+
+            #[inline(always)]
+            fn pick(_for_f64: f64, _for_f32: f32) -> Self {
+                real!(@pick $float, _for_f64, _for_f32)
+            }
+
+            #[inline(always)]
+            fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self {
+                let mut sum = 0.0;
+                for &c in coefficients.$table.iter().rev() {
+                    sum = sum * self + c;
+                }
+                sum
+            }
+
+            #[inline(always)]
+            fn coefficient<const N: usize, const M: usize>(coefficients: &Polynomial<N, M>, index: usize) -> Self {
+                coefficients.$table.get(index).copied().unwrap_or(0.0)
+            }
+
+            #[inline(always)]
+            fn all<const N: usize>(coefficients: &Polynomial<N, N>) -> [Self; N] {
+                coefficients.$table
+            }
+
+            #[inline(always)]
+            fn terms(_for_f64: usize, _for_f32: usize) -> usize {
+                real!(@pick $float, _for_f64, _for_f32)
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                #[cfg(feature = "std")]
+                return $float::sqrt(self);
+                #[cfg(not(feature = "std"))]
+                return $sqrt(self);
+            }
+
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                $float::copysign(self, sign)
+            }
+
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                $float::is_finite(self)
+            }
+
+            #[inline(always)]
+            fn round(self) -> Self {
+                (self + $magic) - $magic
+            }
+
+            #[inline(always)]
+            fn cbrt_guess(self) -> Self {
+                $float::from_bits(self.to_bits() / 3 + $cbrt)
+            }
+
+            #[inline]
+            fn remainder(self, divisor: Self) -> Self {
+                $fmod(self, divisor)
+            }
+
+            #[inline]
+            fn ln_1p(self) -> Self {
+                $log1p(self)
+            }
+
+            #[inline]
+            fn exp_m1(self) -> Self {
+                $expm1(self)
+            }
+        }
+    };
+    (@pick f64, $a:expr, $b:expr) => { $a };
+    (@pick f32, $a:expr, $b:expr) => { $b };
+}
+
+// The cube root's offsets are two thirds of the exponent bias, less what halves the worst error (Kahan; FreeBSD's cbrt).
+real!(
+    f64,
+    f64,
+    6_755_399_441_055_744.0,
+    0x2A9F_7893_0000_0000,
+    libm::sqrt,
+    libm::fmod,
+    libm::log1p,
+    libm::expm1
+);
+real!(
+    f32,
+    f32,
+    12_582_912.0,
+    0x2A51_2CE3,
+    libm::sqrtf,
+    libm::fmodf,
+    libm::log1pf,
+    libm::expm1f
+);
