@@ -12,7 +12,8 @@ use crate::Real;
 #[must_use]
 #[inline]
 pub fn atan<T: Real>(x: T) -> T {
-    Reduced::new(x.abs(), T::ONE).radians().copysign(x)
+    let (high, low) = Reduced::new(x.abs(), T::ONE).radians();
+    (high + low).copysign(x)
 }
 
 /// The angle of the point (x, y) from the x axis, in radians, in [−π, π].
@@ -26,10 +27,10 @@ pub fn atan<T: Real>(x: T) -> T {
 #[must_use]
 #[inline]
 pub fn atan2<T: Real>(y: T, x: T) -> T {
-    let right = Reduced::new(y.abs(), x.abs()).radians();
+    let (high, low) = Reduced::new(y.abs(), x.abs()).radians();
     let pi = T::pick(core::f64::consts::PI, core::f32::consts::PI);
     let pi_low = T::pick(1.224_646_799_147_353_2e-16, -8.742_277_7e-8);
-    select(is_negative(x), pi - (right - pi_low), right).copysign(y)
+    opened(high, low, pi, pi_low, x).copysign(y)
 }
 
 /// The angle of the point (x, y) from the x axis, in degrees, in [−180, 180].
@@ -43,72 +44,90 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
 #[must_use]
 #[inline]
 pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
-    let right = Reduced::new(y.abs(), x.abs()).degrees();
-    select(is_negative(x), T::of(180.0) - right, right).copysign(y)
+    let (high, low) = Reduced::new(y.abs(), x.abs()).degrees();
+    opened(high, low, T::of(180.0), T::ZERO, x).copysign(y)
 }
 
+/// The angle `high + low` of the first quadrant, or a half circle less it where x is negative; rounded once.
 #[inline(always)]
-fn is_negative<T: Real>(x: T) -> bool {
-    T::ONE.copysign(x) < T::ZERO
+fn opened<T: Real>(high: T, low: T, half_circle: T, half_circle_low: T, x: T) -> T {
+    let rest = half_circle - high;
+    let lost = (half_circle - rest) - high;
+    let negative = T::ONE.copysign(x) < T::ZERO;
+    select(negative, rest, high) + select(negative, (lost + half_circle_low) - low, low)
 }
 
-/// An angle of the first quadrant as a base angle, whose tangent is 0, ½, 1, 1½ or ∞, and a remainder whose tangent is at
-/// most 7/16: fdlibm's reduction, with the one quotient taken after it.
+/// An angle of the first quadrant as a base angle, whose tangent is 0, ½, 1, 2 or ∞, and a remainder whose tangent is at
+/// most 7/16: fdlibm's reduction, with one quotient for all.
 struct Reduced<T> {
     /// Whether the angle belongs to the first base, to one of the first two, three, four.
     within: [bool; 4],
     tangent: T,
+    /// What to add to the tangent.
+    lost: T,
 }
 
 impl<T: Real> Reduced<T> {
     #[inline(always)]
     fn new(y: T, x: T) -> Self {
-        let within = [0.4375, 0.6875, 1.1875, 2.4375].map(|limit| y < x * T::of(limit));
+        let within = [7.0 / 16.0, 11.0 / 16.0, 16.0 / 11.0, 16.0 / 7.0].map(|limit| y < x * T::of(limit));
         let base = |table: [f64; 5]| entry(within, table.map(T::of));
-        // Sine and cosine of the base angle but for a common factor.
-        let sine = base([0.0, 0.5, 1.0, 1.5, 1.0]);
-        let cosine = base([1.0, 1.0, 1.0, 1.0, 0.0]);
+        // Sine and cosine of the base angle but for a common factor: the numerator is exact.
+        let sine = base([0.0, 0.5, 1.0, 1.0, 1.0]);
+        let cosine = base([1.0, 1.0, 1.0, 0.5, 0.0]);
         let numerator = y * cosine - x * sine;
         let denominator = x * cosine + y * sine;
-        let tangent = numerator / select(denominator == T::ZERO, T::ONE, denominator);
-        Self { within, tangent }
+        let denominator = select(denominator == T::ZERO, T::ONE, denominator);
+        let tangent = numerator / denominator;
+        // What the quotient's rounding lost: for a small angle it would be half of the error.
+        let (th, tl) = tangent.split();
+        let (dh, dl) = denominator.split();
+        let product = tangent * denominator;
+        let rounding = ((th * dh - product) + th * dl + tl * dh) + tl * dl;
+        let lost = ((numerator - product) - rounding) / denominator;
+        // Splitting overflows near the largest number: do without.
+        let lost = select(lost.abs() < T::ONE, lost, T::ZERO);
+        Self { within, tangent, lost }
     }
 
+    /// Base angle and the rest, in radians.
     #[inline(always)]
-    fn radians(self) -> T {
+    fn radians(self) -> (T, T) {
         let high = [
             T::ZERO,
             T::pick(0.463_647_609_000_806_1, 0.463_647_6),
             T::pick(0.785_398_163_397_448_3, 0.785_398_2),
-            T::pick(0.982_793_723_247_329, 0.982_793_75),
+            T::pick(1.1071487177940904, 1.1071488),
             T::pick(1.570_796_326_794_896_6, 1.570_796_4),
         ];
         let low = [
             T::ZERO,
             T::pick(2.269_877_745_296_168_7e-17, 5.012_158_7e-9),
             T::pick(3.061_616_997_868_383e-17, -2.185_569_4e-8),
-            T::pick(1.390_331_103_123_099_8e-17, -2.513_142_4e-8),
+            T::pick(9.40447137356638e-17, -4.872355e-08),
             T::pick(6.123_233_995_736_766e-17, -4.371_138_8e-8),
         ];
         let r = self.tangent;
         let z = r * r;
-        entry(self.within, high) + (r + (r * z * z.polynomial(&ATAN) + entry(self.within, low)))
+        let small = r + (r * z * z.polynomial(&ATAN) + (self.lost + entry(self.within, low)));
+        (entry(self.within, high), small)
     }
 
+    /// Base angle and the rest, in degrees.
     #[inline(always)]
-    fn degrees(self) -> T {
+    fn degrees(self) -> (T, T) {
         let high = [
             T::ZERO,
             T::pick(26.565_051_177_077_99, 26.565_052),
             T::of(45.0),
-            T::pick(56.309_932_474_020_215, 56.309_933),
+            T::pick(63.43494882292201, 63.434948),
             T::of(90.0),
         ];
         let low = [
             T::ZERO,
             T::pick(-6.673_432_494_950_659e-16, -8.553_927e-7),
             T::ZERO,
-            T::pick(-1.867_705_613_655_168e-15, -2.347_200_2e-7),
+            T::pick(6.673432494950659e-16, 8.5539273e-07),
             T::ZERO,
         ];
         // 180/π is split so that its head times the remainder's head is exact.
@@ -118,8 +137,8 @@ impl<T: Real> Reduced<T> {
         let z = r * r;
         let (head, tail) = r.split();
         let curve = r * z * z.polynomial(&ATAN) * (k1 + k2);
-        let small = curve + (tail * k1 + r * k2) + entry(self.within, low);
-        entry(self.within, high) + (head * k1 + small)
+        let small = curve + (tail * k1 + r * k2 + (self.lost * k1 + entry(self.within, low)));
+        (entry(self.within, high), head * k1 + small)
     }
 }
 

@@ -1,9 +1,9 @@
-use core::ops::{Add, Div, Mul, Sub};
+use core::ops::{Add, Mul};
 
 use super::Polynomial;
 use crate::Real;
 
-/// A complex number: what the conformal map is written in.
+/// A complex number, as far as the conformal map needs one.
 #[derive(Clone, Copy)]
 pub(crate) struct Complex<T> {
     pub re: T,
@@ -11,22 +11,34 @@ pub(crate) struct Complex<T> {
 }
 
 impl<T: Real> Complex<T> {
-    /// The principal square root of a number with re ≥ 0.
+    /// i times the number.
     #[inline(always)]
-    pub fn sqrt(self) -> Self {
-        let modulus = (self.re * self.re + self.im * self.im).sqrt();
-        let re = ((modulus + self.re) * T::of(0.5)).sqrt();
-        let twice = re + re;
+    pub fn times_i(self) -> Self {
         Self {
-            re,
-            im: self.im / super::select(twice == T::ZERO, T::ONE, twice),
+            re: -self.im,
+            im: self.re,
         }
+    }
+
+    /// The square of the modulus.
+    #[inline(always)]
+    pub fn norm(self) -> T {
+        self.re * self.re + self.im * self.im
+    }
+
+    /// Real and imaginary part.
+    #[inline(always)]
+    pub fn parts(self) -> [T; 2] {
+        [self.re, self.im]
     }
 
     /// A polynomial with real coefficients, by Horner's rule.
     #[inline(always)]
     pub fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self {
-        let mut sum = Self { re: T::ZERO, im: T::ZERO };
+        let mut sum = Self {
+            re: T::ZERO,
+            im: T::ZERO,
+        };
         for i in (0..T::terms(N, M)).rev() {
             sum = sum * self;
             sum.re += T::coefficient(coefficients, i);
@@ -39,15 +51,10 @@ impl<T: Real> Add for Complex<T> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self { re: self.re + other.re, im: self.im + other.im }
-    }
-}
-
-impl<T: Real> Sub for Complex<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { re: self.re - other.re, im: self.im - other.im }
+        Self {
+            re: self.re + other.re,
+            im: self.im + other.im,
+        }
     }
 }
 
@@ -66,18 +73,9 @@ impl<T: Real> Mul<T> for Complex<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, factor: T) -> Self {
-        Self { re: self.re * factor, im: self.im * factor }
-    }
-}
-
-impl<T: Real> Div for Complex<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        let square = other.re * other.re + other.im * other.im;
         Self {
-            re: (self.re * other.re + self.im * other.im) / square,
-            im: (self.im * other.re - self.re * other.im) / square,
+            re: self.re * factor,
+            im: self.im * factor,
         }
     }
 }

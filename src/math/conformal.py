@@ -5,11 +5,14 @@ Rančić, Purser & Mesinger (1996): with W = w³ about a corner of the cube (nei
 z = I⁻¹ w^¾ S(W), S(W) = Σ aₙWⁿ/(1 + 4n), Σ aₙWⁿ = [(1 − W)(1 + W/8)]^(−¼). Folding to the nearest corner leaves
 |W| ≤ 0.3924 and |z⁴| ≤ ¼. The inverse is w = z^(4/3) B(z⁴); B is the reverted series.
 
+About the face's centre, x + iy = C ζ Σ dₙ ζ⁴ⁿ/(1 + 4n), Σ dₙ sⁿ = (1 + 14s + s²)^(−¼), with ζ the stereographic coordinate there
+and C such that the edge's midpoint, ζ = tan 22.5°, is at 1.
+
 Needs mpmath only.
 """
 
 import struct
-from mpmath import mp, mpf, beta, hyp2f1
+from mpmath import mp, mpf, beta, cos, hyp2f1, pi, quad, sqrt
 
 mp.dps = 60
 LENGTH = 80
@@ -50,15 +53,28 @@ def main():
     i = quarter * beta(quarter, 1 - quarter) * hyp2f1(quarter, quarter, 1, -mpf(1) / 8)
     z_of_w = [i**-4 * c for c in power(s, mpf(4))]
     b = power(reverted(z_of_w), mpf(1) / 3)
+    slope = power([mpf(1), mpf(14), mpf(1)] + [mpf(0)] * (LENGTH - 3), -mpf(1) / 4)
+    edge = sqrt(mpf(2)) - 1
+    centre = 1 / quad(lambda t: (1 + 14 * t**4 + t**8) ** (-mpf(1) / 4), [0, edge])
+    d = [centre * c / (1 + 4 * n) for n, c in enumerate(slope)]
+    # ζ⁴ = s, Z⁴ = s (Σ …)⁴: revert in the fourth powers, then take the fourth root.
+    e = power(reverted(power(d, mpf(4))), mpf(1) / 4)
     print("//! Made by `conformal.py`; do not edit.\n")
     print("use super::Polynomial;\n")
-    print(f"/// 1/I: the face's coordinate is z = w^¾ S(w³)/I.")
-    print(f"pub(crate) const INVERSE_I: f64 = {float(1 / i)!r};\n")
+    print("/// √3·(2 cos 22.5°/I)^(4/3), the scale toward the plane.")
+    scale = (2 * cos(pi / 8) / i) ** (mpf(4) / 3)
+    print(f"pub(crate) const TO_PLANE_SCALE: f64 = {float(sqrt(mpf(3)) * scale)!r};\n")
+    print("/// (2 cos 22.5°/I)^(−4/3).")
+    print(f"pub(crate) const TO_PLANE_UNSCALE: f64 = {float(1 / scale)!r};\n")
+    print("/// I⁴ = B(0)³, the scale toward the sphere.")
+    print(f"pub(crate) const TO_SPHERE_SCALE: f64 = {float(i**4)!r};\n")
     for name, text, series, radius in (
-        ("CONFORMAL_TO_PLANE", "S(W), |W| ≤ 0.3924", s, mpf("0.3924")),
-        ("CONFORMAL_TO_SPHERE", "B(Z), |Z| ≤ ¼", b, mpf(1) / 4),
+        ("TO_PLANE", "(S(W) − 1)/W, |W| ≤ 0.3924", s[1:], mpf("0.3924")),
+        ("CENTRE_TO_PLANE", "(x + iy)/ζ in s = ζ⁴, |ζ|² ≤ 0.02", d, mpf("0.0004")),
+        ("CENTRE_TO_SPHERE", "ζ/(x + iy) in (x + iy)⁴, |x + iy|² ≤ 0.14", e, mpf("0.14") ** 2),
+        ("TO_SPHERE", "(B(Z)/B(0) − 1)/Z, |Z| ≤ ¼", [c / b[0] for c in b[1:]], mpf(1) / 4),
     ):
-        counts = {"f64": enough(series, radius, mpf(2) ** -57), "f32": enough(series, radius, mpf(2) ** -28)}
+        counts = {"f64": enough(series, radius, mpf(2) ** -58), "f32": enough(series, radius, mpf(2) ** -28)}
         print(f"/// {text}.")
         print(f"pub(crate) const {name}: Polynomial<{counts['f64']}, {counts['f32']}> = Polynomial {{")
         for scalar, count in counts.items():

@@ -9,7 +9,7 @@ leading term, so that this rounding stays far below half an ulp of the result.
 Needs mpmath only.
 """
 
-from mpmath import mp, mpf, pi, sqrt, sin, cos, tan, atan, matrix, lu_solve, chebyt
+from mpmath import mp, mpf, mpc, pi, sqrt, sin, cos, tan, atan, exp, matrix, lu_solve, chebyt
 import struct
 
 mp.dps = 60
@@ -54,6 +54,17 @@ def vertex_t(tau):
     return 24 / pi * atan(K * half / (sqrt(mpf(2)) + K * half))
 
 
+# Conformal: a power of a complex number of unit real part, in real and imaginary parts. Toward the plane it is turned by
+# 22.5° and scaled so that its real part is 1 at k = 0.
+def conformal_power(k):
+    k = mpc(1, k / sqrt(mpf(3)))
+    return exp(mpc(0, pi / 8)) / cos(pi / 8) * k ** (mpf(3) / 4)
+
+
+def conformal_root(t):
+    return mpc(1, t) ** (mpf(4) / 3)
+
+
 QUARTER = (pi / 4 * mpf("1.0001")) ** 2
 ENTRIES = [
     ("SIN", "sin x = x + x³·p(x²), |x| ≤ π/4", odd_correction(sin), 0, QUARTER, lambda z: z),
@@ -64,6 +75,10 @@ ENTRIES = [
     ("QUAD_T", "t(m) = m − m·(1 − m²)·p(m²), |m| ≤ 1: its inverse", odd_unit(quad_t), 0, 1, lambda z: 1 - z),
     ("VERTEX_T", "t(τ) = τ + τ·(1 − τ)·p(τ), 0 ≤ τ ≤ 1: the vertex map's area share", unit(vertex_t), 0, 1, lambda x: 1 - x),
     ("VERTEX_TAU", "τ(t) = t + t·(1 − t)·p(t), 0 ≤ t ≤ 1: its inverse", unit(vertex_tau), 0, 1, lambda x: 1 - x),
+    ("POWER_RE", "Re c(k) = 1 + k·p(k), |k| ≤ 1, c(k) = e^(iπ/8)(1 + ik/√3)^¾/cos(π/8): the conformal map toward the plane", lambda k: (conformal_power(k).real - 1) / k, -1, 1, abs),
+    ("POWER_IM", "Im c(k) = (1 + k)·p(k), |k| ≤ 1", lambda k: conformal_power(k).imag / (1 + k), -1, 1, lambda k: 1 + k),
+    ("ROOT_RE", "Re (1 + it)^(4/3) = 1 + t²·p(t²), 0 ≤ t ≤ 1: the conformal map toward the sphere", lambda z: (conformal_root(sqrt(z)).real - 1) / z, 0, 1, lambda z: z),
+    ("ROOT_IM", "Im (1 + it)^(4/3) = t·p(t²), 0 ≤ t ≤ 1", lambda z: conformal_root(sqrt(z)).imag / sqrt(z), 0, 1, sqrt),
 ]
 
 
@@ -75,6 +90,8 @@ def remez(g, lo, hi, weight, terms):
     mid, half = (lo + hi) / 2, (hi - lo) / 2
     nodes = [mid - half * cos(pi * (2 * k + 1) / (2 * (terms + 1))) for k in range(terms + 1)]
     grid = [mid - half * cos(pi * k / (24 * terms)) for k in range(24 * terms + 1)]
+    grid = [x or inset for x in grid]  # and one at 0
+    nodes = [x or inset for x in nodes]
     values = [g(x) for x in grid]
     for _ in range(12):
         a = matrix(terms + 1, terms + 1)

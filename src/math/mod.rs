@@ -3,7 +3,7 @@
 //!
 //! | function | domain | worst error, f64 | f32 |
 //! |---|---|---|---|
-//! | [`sin_cos`] | \|x\| ≤ 10⁵ (f64), 10³ (f32) rad | 0.55 ulp | 0.55 ulp |
+//! | [`sin_cos`] | \|x\| ≤ 10⁵ (f64), 100 (f32) rad | 0.55 ulp | 0.55 ulp |
 //! | [`sin_cos_degrees`] | \|x\| ≤ 10⁹ (f64), 10⁶ (f32) ° | 0.55 ulp | 0.55 ulp |
 //! | [`tan`] | \|x\| ≤ π/4 | 1 ulp | 1 ulp |
 //! | [`atan`], [`atan2`] | all | 0.9 ulp | 0.9 ulp |
@@ -13,7 +13,7 @@
 mod atan;
 mod cbrt;
 mod complex;
-mod conformal;
+pub(crate) mod conformal;
 pub(crate) mod latitude;
 mod minimax;
 mod polynomial;
@@ -23,8 +23,7 @@ mod tan;
 pub use atan::{atan, atan2, atan2_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::Complex;
-pub(crate) use conformal::{CONFORMAL_TO_PLANE, CONFORMAL_TO_SPHERE, INVERSE_I};
-pub(crate) use minimax::{QUAD_M, QUAD_T, VERTEX_T, VERTEX_TAU};
+pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::odd_unit;
 pub(crate) use sin_cos::sin_cos_small;

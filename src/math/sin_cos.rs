@@ -4,7 +4,7 @@ use crate::Real;
 
 /// Sine and cosine of an angle in radians.
 ///
-/// Within 0.55 ulp for |x| ≤ 10⁵ (`f64`) or 10³ (`f32`), next to the multiples of π/2 too; NaN beyond.
+/// Within 0.55 ulp for |x| ≤ 10⁵ (`f64`) or 100 (`f32`), next to the multiples of π/2 too; NaN beyond.
 ///
 /// Reduction by three parts of π/2 (Cody and Waite), polynomials of `minimax.py`.
 ///
@@ -16,16 +16,16 @@ use crate::Real;
 #[inline]
 pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     let q = (x * T::of(core::f64::consts::FRAC_2_PI)).round();
-    // π/2 in parts of 33, 33 and 53 bits (12, 12, 24): q times each of the first two is exact.
-    let a = x - q * T::pick(1.570_796_326_734_125_6, 1.570_312_5);
-    let b = q * T::pick(6.077_100_506_303_966e-11, 4.837_512_969_970_703e-4);
-    let c = q * T::pick(2.022_266_248_795_950_6e-21, 7.549_79e-8);
+    // π/2 in parts of 33, 33 and 53 bits (17, 17, 24): q times each of the first two is exact.
+    let a = x - q * T::pick(1.570_796_326_734_125_6, 1.570_785_5);
+    let b = q * T::pick(6.077_100_506_303_966e-11, 1.080_427_3e-5);
+    let c = q * T::pick(2.022_266_248_795_950_6e-21, 6.077_100_6e-11);
     let high = a - b;
     let low = ((a - high) - b) - c;
     // The part that the third subtraction shifts into `high` matters where a − b cancels.
     let r = high + low;
     let low = (high - r) + low;
-    let limit = T::pick(1e5, 1e3);
+    let limit = T::pick(1e5, 100.0);
     let r = select(x.abs() <= limit, r, T::of(f64::NAN));
     quadrant(q, reduced(r, low))
 }

@@ -1,11 +1,12 @@
 use super::{CubeProjection, Face, normalise};
 use crate::Real;
-use crate::math::{CONFORMAL_TO_PLANE, CONFORMAL_TO_SPHERE, Complex, INVERSE_I, cbrt, max, select};
+use crate::math::conformal::{CENTRE_TO_PLANE, CENTRE_TO_SPHERE, TO_PLANE, TO_PLANE_SCALE, TO_PLANE_UNSCALE, TO_SPHERE, TO_SPHERE_SCALE};
+use crate::math::{Complex, POWER_IM, POWER_RE, ROOT_IM, ROOT_RE, cbrt, select};
 
 /// The conformal cube of Rančić, Purser & Mesinger (1996): no angular deformation but at the corners, where the scale goes to 0.
 ///
 /// About the nearest corner, with w the stereographic coordinate of the sphere (the next corner at 1) and z the face's (its edge as
-/// unit), z⁴ = K·W·S(W)⁴ with W = w³. Series of 28 terms this way, and of 20 the other way.
+/// unit), z = w^¾·S(w³)/I; the powers are polynomials of one real variable, S and the reverse are series.
 ///
 /// Near a corner z goes with the ¾th power of the distance on the sphere: an error of one rounding there, 1.1e-16 rad, is 1e-12 in
 /// x and y. That is the map's own conditioning.
@@ -20,60 +21,75 @@ impl CubeProjection for Conformal {
         let steep = up.abs() > right.abs();
         let major = select(steep, up, right).abs();
         let minor = select(steep, right, up).abs();
-        // Stereographic projection about the corner (1, 1, 1)/√3; the differences are exact near it.
-        let length = (minor * minor + major * major + outward * outward).sqrt();
-        let third = T::of(1.0 / SQRT_3);
-        let height = length + (minor + major + outward) * third;
-        let w = Complex {
-            re: ((major - minor) + (outward - minor)) * third / height,
-            im: (outward - major) / height,
+        // Of the corner's 60° sector w = ρ(1 + ik/√3)·e^(i30°); the differences are exact near the corner, k = −1 is the edge.
+        let sector = outward - minor;
+        let safe = select(sector == T::ZERO, T::ONE, sector);
+        let k = ((outward - major) - (major - minor)) / safe;
+        let from_edge = T::of(2.0) * (outward - major) / safe;
+        // The length is 1 + excess.
+        let excess = T::of(0.5) * (minor * minor + major * major + outward * outward - T::ONE);
+        let root_3 = T::of(SQRT_3);
+        let rho = sector * T::of(TO_PLANE_SCALE) / (root_3 + (root_3 * excess + (minor + major + outward)));
+        let size = (rho * rho.sqrt()).sqrt();
+        let bend = size * (k * k.polynomial(&POWER_RE));
+        let power = Complex {
+            re: size + bend,
+            im: size * (from_edge * k.polynomial(&POWER_IM)),
         };
-        let cube = w * w * w;
-        let root = w.sqrt();
-        // w^¾ by two square roots, of arguments up to 60° and 90°.
-        let z = (w * root).sqrt() * cube.polynomial(&CONFORMAL_TO_PLANE) * T::of(INVERSE_I);
-        let two = T::of(2.0);
-        let (long, short) = (T::ONE - two * z.im, T::ONE - two * z.re);
+        let w = Complex {
+            re: T::ONE,
+            im: k * T::of(1.0 / SQRT_3),
+        } * (rho * T::of(TO_PLANE_UNSCALE));
+        let cube = (w * w * w).times_i();
+        let rest = power * (cube * cube.polynomial(&TO_PLANE));
+        // 1 − 2z, the large parts first: near the midline their difference is exact.
+        let short = (T::ONE - size) - (bend + rest.re);
+        let long = T::ONE - (power.im + rest.im);
         let [x, y] = select(steep, [short, long], [long, short]);
-        [x.copysign(right), y.copysign(up)]
+
+        // Within 0.35 of the centre its own series keeps the relative precision.
+        let zeta = Complex { re: right, im: up } * (T::ONE / (T::ONE + (excess + outward)));
+        let square = zeta * zeta;
+        let [cx, cy] = (zeta * (square * square).polynomial(&CENTRE_TO_PLANE)).parts();
+        let central = zeta.norm() < T::of(0.02);
+        [select(central, cx, x.copysign(right)), select(central, cy, y.copysign(up))]
     }
 
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
         let steep = y.abs() > x.abs();
         let half = T::of(0.5);
-        let z = Complex {
-            re: half * (T::ONE - select(steep, x, y).abs()),
-            im: half * (T::ONE - select(steep, y, x).abs()),
+        let p = half * (T::ONE - select(steep, x, y).abs());
+        let q = half * (T::ONE - select(steep, y, x).abs());
+        // At the corner p = q = 0, and the product with p settles what the root of 0 is.
+        let safe = select(p == T::ZERO, T::ONE, p);
+        let t = q / safe;
+        let tt = t * t;
+        let size = p * cbrt(safe * T::of(TO_SPHERE_SCALE));
+        let power = Complex {
+            re: size * (T::ONE + tt * tt.polynomial(&ROOT_RE)),
+            im: size * (t * tt.polynomial(&ROOT_IM)),
         };
+        let z = Complex { re: p, im: q };
         let square = z * z;
-        let w = z * cube_root(z) * (square * square).polynomial(&CONFORMAL_TO_SPHERE);
+        let fourth = square * square;
+        let w = power + power * (fourth * fourth.polynomial(&TO_SPHERE));
+        // Stereographic projection back, about the corner.
         let two = T::of(2.0);
-        let center = two - (w.re * w.re + w.im * w.im);
+        let center = two - w.norm();
         let slant = T::of(2.0 * SQRT_3) * w.im;
         let minor = center - T::of(4.0) * w.re;
         let edge = center + two * w.re;
         let [right, up] = select(steep, [minor, edge - slant], [edge - slant, minor]);
-        normalise([right.copysign(x), up.copysign(y), edge + slant])
-    }
-}
 
-/// The cube root of z, 0 ≤ arg z ≤ 45°, |z| < 1.
-#[inline(always)]
-fn cube_root<T: Real>(z: Complex<T>) -> Complex<T> {
-    // A corner's own z = 0 takes any root: the caller multiplies it by z.
-    let tiny = T::pick(1e-300, 1e-36);
-    let re = max(z.re, tiny);
-    let t = z.im / re;
-    let one = Complex { re: T::ONE, im: t };
-    // (1 + it)^⅓ within 1e-3, then Halley's iteration.
-    let mut root = Complex {
-        re: T::ONE + t * t * T::of(0.11 - 0.025 * 1.0),
-        im: t * (T::of(1.0 / 3.0) - T::of(0.051) * t * t),
-    };
-    for _ in 0..T::terms(3, 2) {
-        let cube = root * root * root;
-        root = root + root * ((one - cube) / (cube + cube + one));
+        let z = Complex { re: x, im: y };
+        let square = z * z;
+        let zeta = z * (square * square).polynomial(&CENTRE_TO_SPHERE);
+        let local = select(
+            z.norm() < T::of(0.14),
+            [two * zeta.re, two * zeta.im, T::ONE - zeta.norm()],
+            [right.copysign(x), up.copysign(y), edge + slant],
+        );
+        normalise(local)
     }
-    root * cbrt(re)
 }

@@ -23,7 +23,10 @@ impl CubeProjection for Quadrilateralized {
         let tt = T::ONE + t * t;
         let q = (T::ONE + tt).sqrt();
         let rho = (T::ONE + u * u * tt).sqrt();
-        let long = u * (q * (q + T::ONE) / (rho * (rho + T::ONE))).sqrt();
+        // The quotient less 1, which is 0 on the edge: its rounding does not reach a coordinate near 1.
+        let sum = q + rho;
+        let excess = tt * (T::ONE - u * u) * (sum + T::ONE) / (sum * rho * (rho + T::ONE));
+        let long = u * (T::ONE + excess).sqrt();
         let short = long * odd_unit(t, &QUAD_M);
         select(steep, [short, long], [long, short])
     }

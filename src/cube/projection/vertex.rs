@@ -39,8 +39,10 @@ impl CubeProjection for Vertex {
         // y = 1 − r from 1 − r², every term of which has the factor y.
         let w = T::of(2.0) * (x + z) - y;
         let rest = w + (T::of(3.0) * rho + s_d * w / (rho + rho_d)) * third;
-        let short = y * rest / (above * (T::ONE + r));
-        let long = short + r * t;
+        // Each coordinate as what has the smaller error: near the corner as its distance from 1.
+        let half = T::of(0.5);
+        let short = select(r < half, T::ONE - r, y * rest / (above * (T::ONE + r)));
+        let long = select(t > half, T::ONE - r * (T::ONE - t), short + r * t);
         let [a, b] = select(steep, [short, long], [long, short]);
         [a.copysign(right), b.copysign(up)]
     }

@@ -1,0 +1,121 @@
+//! An atlas of the cube projections: a map of the Earth on every cube, every cube's grid on the Earth, and a page about them.
+//!
+//! `cargo run --release --example atlas` writes `target/atlas/index.html`; `-- --help` says what else it can do.
+
+// Pixels and vertices are addressed by index; the bounds come from the loops around them.
+#![allow(clippy::indexing_slicing)]
+
+mod catalogue;
+mod cli;
+mod cross;
+mod geography;
+mod globe;
+mod imagery;
+mod measure;
+mod page;
+mod pen;
+mod trace;
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use image::RgbImage;
+use image::codecs::jpeg::JpegEncoder;
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+use terrella::cube::{CubeMap, Face, Projection};
+
+use cli::Options;
+use cross::Geography;
+use globe::Globe;
+use imagery::Imagery;
+use measure::Measures;
+
+const JPEG_QUALITY: u8 = 88;
+
+fn main() -> ExitCode {
+    let done = match cli::parse() {
+        Ok(cli::Request::Atlas(options)) => atlas(&options),
+        Ok(cli::Request::Print(text)) => Ok(text),
+        Err(message) => Err(message),
+    };
+    // A closed pipe at the other end is no reason to panic, so the results of writing are let go.
+    match done {
+        Ok(text) => {
+            let _ = writeln!(io::stdout(), "{}", text.trim_end());
+            ExitCode::SUCCESS
+        }
+        Err(message) => {
+            let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
+            let _ = writeln!(io::stderr(), "error: {line}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Makes the atlas and says where it is.
+fn atlas(options: &Options) -> Result<String, String> {
+    let maps = options
+        .projections
+        .iter()
+        .map(|&projection| CubeMap::new(options.ellipsoid, options.shift, projection))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(|error| error.to_string())?;
+    let imagery = Imagery::read(&options.input, options.size)?;
+    let geography = Geography {
+        coastline: geography::coastline(&options.coastline)?,
+        graticule: geography::graticule(),
+    };
+    fs::create_dir_all(&options.out).map_err(|error| cannot("create the folder", &options.out, &error))?;
+
+    let steps = maps.len() * (Face::ALL.len() + 1);
+    let progress = ProgressBar::new(u64::try_from(steps).unwrap_or(u64::MAX));
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}") {
+        progress.set_style(style);
+    }
+    let globe = Globe::new(&imagery, options.size)?;
+    let measures = maps
+        .par_iter()
+        .map(|map| {
+            let projection = map.projection();
+            progress.set_message(projection.name());
+            let cross = cross::draw(map, &imagery, &geography, options.size, &progress)?;
+            save(&cross, &options.out.join(cross_file(projection)))?;
+            let grid = globe.with_grid(map)?;
+            save(&grid, &options.out.join(globe_file(projection)))?;
+            progress.inc(1);
+            Ok(Measures::of(projection))
+        })
+        .collect::<Result<Vec<_>, String>>()?;
+    progress.finish_and_clear();
+
+    let index = options.out.join("index.html");
+    fs::write(&index, page::html(options, &measures)).map_err(|error| cannot("write", &index, &error))?;
+    Ok(format!("wrote {}", index.display()))
+}
+
+/// The picture of a projection's unfolded cube.
+fn cross_file(projection: Projection) -> PathBuf {
+    PathBuf::from(format!("{projection}-cube.jpg"))
+}
+
+/// The picture of a projection's grid on the globe.
+fn globe_file(projection: Projection) -> PathBuf {
+    PathBuf::from(format!("{projection}-globe.jpg"))
+}
+
+fn save(picture: &RgbImage, path: &Path) -> Result<(), String> {
+    let file = File::create(path).map_err(|error| cannot("write", path, &error))?;
+    let mut file = BufWriter::new(file);
+    JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY)
+        .encode_image(picture)
+        .map_err(|error| cannot("write", path, &error))?;
+    file.flush().map_err(|error| cannot("write", path, &error))
+}
+
+/// A message about a file.
+fn cannot(what: &str, path: &Path, error: &dyn std::error::Error) -> String {
+    format!("cannot {what} {}: {error}", path.display())
+}
