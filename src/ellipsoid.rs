@@ -182,13 +182,13 @@ pub enum InvalidEllipsoid<T> {
     Flattening(T),
 }
 
-impl<T: fmt::Display> fmt::Display for InvalidEllipsoid<T> {
+impl<T: fmt::Debug> fmt::Display for InvalidEllipsoid<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::SemiMajorAxis(a) => write!(f, "semi-major axis {a} is not positive and finite"),
-            Self::Flattening(flattening) => write!(f, "flattening {flattening} is not a finite number below 1"),
+            Self::SemiMajorAxis(a) => write!(f, "semi-major axis {a:?} is not positive and finite"),
+            Self::Flattening(flattening) => write!(f, "flattening {flattening:?} is not a finite number below 1"),
         }
     }
 }
 
-impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidEllipsoid<T> {}
+impl<T: fmt::Debug> core::error::Error for InvalidEllipsoid<T> {}

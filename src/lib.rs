@@ -3,6 +3,7 @@
 
 pub mod cube;
 mod ellipsoid;
+mod interop;
 pub mod latitude;
 pub mod math;
 mod position;

@@ -32,8 +32,8 @@ impl<T: Real> LatLon<T> {
     /// [`InvalidLatLon::Latitude`] if |lat| > 90 or NaN, [`InvalidLatLon::Longitude`] if lon is infinite or NaN.
     #[inline]
     pub fn new(lat: T, lon: T) -> Result<Self, InvalidLatLon<T>> {
-        // Written so that NaN is refused.
-        if !(lat.abs() <= T::of(90.0)) {
+        let between_poles = lat.abs() <= T::of(90.0); // false for NaN
+        if !between_poles {
             return Err(InvalidLatLon::Latitude(lat));
         }
         if lon.abs() <= T::of(180.0) {
@@ -101,16 +101,16 @@ pub enum InvalidLatLon<T> {
     Longitude(T),
 }
 
-impl<T: fmt::Display> fmt::Display for InvalidLatLon<T> {
+impl<T: fmt::Debug> fmt::Display for InvalidLatLon<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Latitude(lat) => write!(f, "latitude {lat} is not in [-90, 90] degrees"),
-            Self::Longitude(lon) => write!(f, "longitude {lon} is not finite"),
+            Self::Latitude(lat) => write!(f, "latitude {lat:?} is not in [-90, 90] degrees"),
+            Self::Longitude(lon) => write!(f, "longitude {lon:?} is not finite"),
         }
     }
 }
 
-impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidLatLon<T> {}
+impl<T: fmt::Debug> core::error::Error for InvalidLatLon<T> {}
 
 /// A unit vector in Earth axes: x through (0° N, 0° E), y through (0° N, 90° E), z through the north pole.
 ///
@@ -148,7 +148,11 @@ impl<T: Real> Direction<T> {
         let scale = select(
             largest > T::pick(3.273_390_607_896_142e150, 1.152_921_5e18),
             shrink,
-            select(largest < T::pick(3.054_936_363_499_605e-151, 8.673_617_4e-19), grow, T::ONE),
+            select(
+                largest < T::pick(3.054_936_363_499_605e-151, 8.673_617_4e-19),
+                grow,
+                T::ONE,
+            ),
         );
         let (x, y, z) = (x * scale, y * scale, z * scale);
         let square = x * x + y * y + z * z;
@@ -244,10 +248,10 @@ pub struct InvalidDirection<T> {
     pub z: T,
 }
 
-impl<T: fmt::Display> fmt::Display for InvalidDirection<T> {
+impl<T: fmt::Debug> fmt::Display for InvalidDirection<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "({}, {}, {}) has no direction", self.x, self.y, self.z)
+        write!(f, "({:?}, {:?}, {:?}) has no direction", self.x, self.y, self.z)
     }
 }
 
-impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidDirection<T> {}
+impl<T: fmt::Debug> core::error::Error for InvalidDirection<T> {}

@@ -192,8 +192,8 @@ const ENTRIES: &[Entry] = &[
         projection: Projection::Balanced,
         title: "Balanced",
         also: "",
-        idea: "A polynomial found by search: of all maps of its kind, the one whose cells differ least, be it in area or in the ratio of \
-               their sides. From the cube to the sphere it takes ten multiplications.",
+        idea: "A polynomial with three coefficients, chosen by search so that cells differ as little as they can, be it in area or in \
+               the ratio of their sides.",
         origin: "Made for terrella, to have the smallest texture oversize: 1.41, where the best of the older projections have 2.",
         forward: Method::Newton,
         inverse: Method::Algebraic,

@@ -92,7 +92,9 @@ pub fn parse() -> Result<Request, String> {
     let asked = |p: &Projection| arguments.projections.is_empty() || arguments.projections.contains(p);
     let (ellipsoid_name, ellipsoid) = arguments.ellipsoid;
     Ok(Request::Atlas(Options {
-        input: arguments.input.unwrap_or_else(|| data.join("earth-blue-marble-2048.jpg")),
+        input: arguments
+            .input
+            .unwrap_or_else(|| data.join("earth-blue-marble-2048.jpg")),
         coastline: data.join("land-110m.tsv"),
         projections: Projection::ALL.iter().copied().filter(asked).collect(),
         shift: arguments.shift,
@@ -106,8 +108,12 @@ pub fn parse() -> Result<Request, String> {
 /// An ellipsoid by name or as `A,F`, along with what it was called.
 fn named_ellipsoid(text: &str) -> Result<(String, Ellipsoid<f64>), String> {
     let ellipsoid = match text.split_once(',') {
-        None => Ellipsoid::named(text)
-            .ok_or_else(|| format!("unknown ellipsoid; known are {}, or give A,F", names(NAMED.iter().copied())))?,
+        None => Ellipsoid::named(text).ok_or_else(|| {
+            format!(
+                "unknown ellipsoid; known are {}, or give A,F",
+                names(NAMED.iter().copied())
+            )
+        })?,
         Some((a, f)) => Ellipsoid::new(number(a)?, number(f)?).map_err(|error| error.to_string())?,
     };
     Ok((text.to_owned(), ellipsoid))

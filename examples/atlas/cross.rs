@@ -19,10 +19,11 @@ pub struct Geography {
     pub graticule: Vec<Line>,
 }
 
-const GRATICULE: Pen = Pen { color: [255, 255, 255, 58], width: 0.9 };
-const COAST_SHADE: Pen = Pen { color: [10, 16, 30, 90], width: 2.6 };
-const COAST: Pen = Pen { color: [255, 240, 205, 190], width: 1.1 };
-const EDGE: Pen = Pen { color: [255, 255, 255, 80], width: 1.2 };
+const GRATICULE_SHADE: Pen = Pen::new([10, 16, 30, 26], 2.0);
+const GRATICULE: Pen = Pen::new([255, 255, 255, 58], 0.9);
+const COAST_SHADE: Pen = Pen::new([10, 16, 30, 75], 2.4);
+const COAST: Pen = Pen::new([255, 240, 205, 190], 1.1);
+const EDGE: Pen = Pen::new([255, 255, 255, 80], 1.2);
 
 /// The longest straight step of a line, in pixels.
 const STEP: f64 = 3.0;
@@ -54,6 +55,7 @@ pub fn draw(
         .map(|&face| {
             let mut pixmap = Pixmap::new(size, size).ok_or("a face is too large")?;
             paint(map, imagery, face, &mut pixmap);
+            GRATICULE_SHADE.draw(&mut pixmap, on(face, &graticule));
             GRATICULE.draw(&mut pixmap, on(face, &graticule));
             COAST_SHADE.draw(&mut pixmap, on(face, &coastline));
             COAST.draw(&mut pixmap, on(face, &coastline));
@@ -119,5 +121,8 @@ fn pieces(map: &CubeMap<f64, Projection>, lines: &[Line], size: u32) -> Vec<Face
 }
 
 fn on(face: Face, lines: &[FaceLine]) -> impl Iterator<Item = &[[f32; 2]]> {
-    lines.iter().filter(move |(on, _)| *on == face).map(|(_, line)| line.as_slice())
+    lines
+        .iter()
+        .filter(move |(on, _)| *on == face)
+        .map(|(_, line)| line.as_slice())
 }

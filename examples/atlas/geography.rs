@@ -31,18 +31,29 @@ impl Line {
 /// Reads coasts: a heading, then `ring longitude latitude` a line.
 pub fn coastline(path: &Path) -> Result<Vec<Line>, String> {
     let text = fs::read_to_string(path).map_err(|error| cannot("read", path, &error))?;
-    let rows = text.lines().enumerate().filter(|(_, row)| !row.starts_with('#')).skip(1);
+    let rows = text
+        .lines()
+        .enumerate()
+        .filter(|(_, row)| !row.starts_with('#'))
+        .skip(1);
     let mut lines = Vec::new();
     let mut line: Vec<[f64; 2]> = Vec::new();
     let mut last: Option<(u32, LatLon<f64>)> = None;
     for (number, row) in rows {
-        let (ring, place) = vertex(row)
-            .ok_or_else(|| format!("{}: line {} is no ring, longitude, latitude", path.display(), number + 1))?;
+        let (ring, place) = vertex(row).ok_or_else(|| {
+            format!(
+                "{}: line {} is no ring, longitude, latitude",
+                path.display(),
+                number + 1
+            )
+        })?;
         let joined = last.is_some_and(|(last_ring, from)| last_ring == ring && !is_artificial(from, place));
         if !joined {
             finish(&mut line, &mut lines);
         }
-        let turns = line.last().map_or(0.0, |[lon, _]| ((lon - place.lon()) / 360.0).round());
+        let turns = line
+            .last()
+            .map_or(0.0, |[lon, _]| ((lon - place.lon()) / 360.0).round());
         line.push([place.lon() + 360.0 * turns, place.lat()]);
         last = Some((ring, place));
     }

@@ -31,7 +31,7 @@ use cli::Options;
 use cross::Geography;
 use globe::Globe;
 use imagery::Imagery;
-use measure::Measures;
+use page::Shown;
 
 const JPEG_QUALITY: u8 = 88;
 
@@ -76,23 +76,22 @@ fn atlas(options: &Options) -> Result<String, String> {
         progress.set_style(style);
     }
     let globe = Globe::new(&imagery, options.size)?;
-    let measures = maps
+    let shown = maps
         .par_iter()
         .map(|map| {
             let projection = map.projection();
             progress.set_message(projection.name());
             let cross = cross::draw(map, &imagery, &geography, options.size, &progress)?;
             save(&cross, &options.out.join(cross_file(projection)))?;
-            let grid = globe.with_grid(map)?;
-            save(&grid, &options.out.join(globe_file(projection)))?;
+            save(&globe.with_grid(map), &options.out.join(globe_file(projection)))?;
             progress.inc(1);
-            Ok(Measures::of(projection))
+            Ok(Shown::of(map))
         })
         .collect::<Result<Vec<_>, String>>()?;
     progress.finish_and_clear();
 
     let index = options.out.join("index.html");
-    fs::write(&index, page::html(options, &measures)).map_err(|error| cannot("write", &index, &error))?;
+    fs::write(&index, page::html(options, &shown)).map_err(|error| cannot("write", &index, &error))?;
     Ok(format!("wrote {}", index.display()))
 }
 

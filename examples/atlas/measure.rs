@@ -50,7 +50,11 @@ impl Measures {
             // Where three right angles of the cube fill a whole turn of the sphere, angles are kept by vanishing cells only.
             area_ratio: if conformal { f64::INFINITY } else { area.ratio() },
             aspect: [aspect.min, aspect.max],
-            oversize: if conformal { f64::INFINITY } else { aspect.ratio().max(sides.ratio()) },
+            oversize: if conformal {
+                f64::INFINITY
+            } else {
+                aspect.ratio().max(sides.ratio())
+            },
             deformation,
             inner_bend: inner_bend(projection),
             edge_bend: edge_bend(projection),
@@ -102,7 +106,7 @@ impl Range {
 fn quarter() -> impl Iterator<Item = [f64; 2]> {
     let along = |i: u32, from: f64, to: f64| from + (to - from) * f64::from(i) / f64::from(POINTS - 1);
     (0..POINTS * POINTS).flat_map(move |index| {
-        let long = along(index / POINTS, 0.02, 1.0 - 1e-6);
+        let long = along(index / POINTS, 2e-3, 1.0 - 1e-6);
         let short = long * along(index % POINTS, 1e-5, 1.0 - 1e-5);
         [[long, short], [short, long]]
     })
@@ -110,9 +114,7 @@ fn quarter() -> impl Iterator<Item = [f64; 2]> {
 
 /// The derivatives of the unit vector by x and by y.
 fn slopes(projection: Projection, face: Face, [x, y]: [f64; 2]) -> [[f64; 3]; 2] {
-    let at = |x, y| {
-        FacePoint::new(face, x, y).map_or([f64::NAN; 3], |point| projection.unproject(point).to_array())
-    };
+    let at = |x, y| FacePoint::new(face, x, y).map_or([f64::NAN; 3], |point| projection.unproject(point).to_array());
     let slope = |from: [f64; 3], to: [f64; 3]| std::array::from_fn(|i| (to[i] - from[i]) / (2.0 * STEP));
     [
         slope(at(x - STEP, y), at(x + STEP, y)),
@@ -130,9 +132,8 @@ fn angular_deformation(width: f64, height: f64, area: f64) -> f64 {
 
 /// The largest turn of a grid line at the diagonals and midlines of a face.
 fn inner_bend(projection: Projection) -> f64 {
-    let bend = |face, from, to, axis: usize| {
-        turn(slopes(projection, face, from)[axis], slopes(projection, face, to)[axis])
-    };
+    let bend =
+        |face, from, to, axis: usize| turn(slopes(projection, face, from)[axis], slopes(projection, face, to)[axis]);
     let (less, more) = (-BESIDE, BESIDE);
     [Face::Front, Face::Top]
         .into_iter()

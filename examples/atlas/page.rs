@@ -2,33 +2,63 @@
 
 use std::path::Path;
 
-use terrella::cube::Projection;
+use terrella::cube::{CubeMap, Projection};
 
 use crate::catalogue::{self, Entry};
 use crate::cli::Options;
-use crate::globe::CELLS;
+use crate::globe::{self, CELLS, Grid};
 use crate::measure::Measures;
 use crate::{cross_file, globe_file};
 
 /// The page's colour, around the pictures too.
 pub const BACKGROUND: [u8; 3] = [0x0d, 0x11, 0x18];
 
+/// The side of the square that a sketch is drawn in: fine enough for whole numbers.
+const SKETCH: u16 = 800;
+
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
-/// The whole page, with the measures of the projections asked for.
-pub fn html(options: &Options, measures: &[Measures]) -> String {
-    let shown: Vec<_> = options
-        .projections
-        .iter()
-        .zip(measures)
-        .map(|(&projection, measures)| Shown {
+/// A projection on the page.
+pub struct Shown {
+    projection: Projection,
+    entry: Option<&'static Entry>,
+    measures: Measures,
+    sketch: Grid,
+}
+
+impl Shown {
+    /// Gathers what is told about the projection of a map.
+    pub fn of(map: &CubeMap<f64, Projection>) -> Self {
+        let projection = map.projection();
+        Self {
             projection,
             entry: catalogue::entry(projection),
-            measures,
-        })
-        .collect();
-    let each = |part: fn(&Shown, &Options) -> String| shown.iter().map(|s| part(s, options)).collect::<String>();
+            measures: Measures::of(projection),
+            sketch: globe::sketch(map, SKETCH),
+        }
+    }
+
+    fn title(&self) -> String {
+        escaped(self.entry.map_or(self.projection.name(), |entry| entry.title))
+    }
+
+    fn keeps(&self) -> &'static str {
+        match (self.measures.is_equal_area(), self.measures.is_conformal()) {
+            (true, _) => "area",
+            (_, true) => "angles",
+            _ => "–",
+        }
+    }
+
+    fn methods(&self) -> [&'static str; 2] {
+        self.entry
+            .map_or(["–"; 2], |entry| [entry.forward.name(), entry.inverse.name()])
+    }
+}
+
+/// The whole page.
+pub fn html(options: &Options, shown: &[Shown]) -> String {
     format!(
         r##"<!DOCTYPE html>
 <html lang="en">
@@ -43,10 +73,9 @@ pub fn html(options: &Options, measures: &[Measures]) -> String {
 <body>
 <header>
 <h1>An atlas of the cube</h1>
-<p class="lead">A globe does not lie flat, but it can be pressed into a box. Six square faces have no poles to crowd at and no seam to
-step over; computers like squares, and so the sky, the weather and the planets of games are kept on cubes. How the round is made
-straight is a matter of choice, and no choice has everything: equal areas, true angles, cells all alike, a formula that is quick.
-Here are the choices side by side.</p>
+<p class="lead">A globe does not lie flat, but it can be pressed into a box. On six square faces nothing crowds at the poles, and squares
+are what computers are good at: so the sky, the weather and the planets of games are kept on cubes. There are many ways to make the round
+straight, and none has everything: equal areas, true angles, cells all alike, a formula that is quick. Here they are side by side.</p>
 <p>For each projection there is the cube, unfolded, with the map of the Earth on it and a line every 15 degrees of latitude and longitude;
 and the globe, with a grid of {CELLS} by {CELLS} cells laid over each face and carried back to the ground. The edges of the cube are
 golden. What the cells of that grid look like on the globe is what a projection does to squares.</p>
@@ -68,7 +97,9 @@ golden. What the cells of that grid look like on the globe is what a projection 
 </table>
 </div>
 <dl class="legend">
-{legend}</dl>
+{legend}<div><dt>Sphere to cube, cube to sphere</dt><dd>how a place is found: <em>algebraic</em> takes arithmetic and square roots only, <em>closed
+form</em> trigonometric functions too, <em>iteration</em> a few steps of Newton’s method</dd></div>
+</dl>
 <p class="note">All figures were measured on the sphere while this page was made, the best of each column in gold. The area ratio of a
 conformal cube has no bound, since its cells vanish in the corners.</p>
 </section>
@@ -83,41 +114,16 @@ another map was given. Coastline: Natural Earth. Both are in the public domain.<
 </body>
 </html>
 "##,
-        sheet = each(sheet_item),
+        sheet = shown.iter().map(sheet_item).collect::<String>(),
         headings = FIGURES.iter().map(heading).collect::<String>(),
-        rows = shown.iter().map(|s| row(s, &shown)).collect::<String>(),
+        rows = shown.iter().map(|s| row(s, shown)).collect::<String>(),
         legend = FIGURES.iter().map(legend).collect::<String>(),
-        sections = each(section),
+        sections = shown.iter().map(|s| section(s, options.size)).collect::<String>(),
         size = options.size,
         input = escaped(&file_name(&options.input)),
         ellipsoid = escaped(&options.ellipsoid_name),
         shift = options.shift,
     )
-}
-
-/// A projection on the page.
-struct Shown<'a> {
-    projection: Projection,
-    entry: Option<&'static Entry>,
-    measures: &'a Measures,
-}
-
-impl Shown<'_> {
-    fn title(&self) -> String {
-        escaped(self.entry.map_or(self.projection.name(), |entry| entry.title))
-    }
-
-    fn keeps(&self) -> &'static str {
-        match (self.measures.is_equal_area(), self.measures.is_conformal()) {
-            (true, _) => "area",
-            (_, true) => "angles",
-            _ => "–",
-        }
-    }
-
-    fn methods(&self) -> [&'static str; 2] {
-        self.entry.map_or(["–"; 2], |entry| [entry.forward.name(), entry.inverse.name()])
-    }
 }
 
 /// A measured column of the comparison.
@@ -132,7 +138,7 @@ struct Figure {
 const FIGURES: &[Figure] = &[
     Figure {
         name: "Area ratio",
-        meaning: "ground area of the largest cell over that of the smallest, for cells so small that they are many",
+        meaning: "ground area of the largest cell over that of the smallest, for very small cells",
         decimals: 3,
         unit: "",
         value: |m| m.area_ratio,
@@ -187,34 +193,55 @@ impl Figure {
     }
 }
 
-fn sheet_item(shown: &Shown, _: &Options) -> String {
+fn sheet_item(shown: &Shown) -> String {
     let (projection, title) = (shown.projection, shown.title());
-    let globe = file_name(&globe_file(projection));
+    let (inner, edges) = (path(&shown.sketch.inner), path(&shown.sketch.edges));
     format!(
-        "<li><a href=\"#{projection}\"><img class=\"globe\" src=\"{globe}\" width=\"160\" height=\"160\" alt=\"\" \
-         loading=\"lazy\"><span>{title}</span></a></li>\n"
+        "<li><a href=\"#{projection}\"><svg class=\"globe\" viewBox=\"0 0 {SKETCH} {SKETCH}\" aria-hidden=\"true\">\
+         <path d=\"{inner}\"/><path class=\"edges\" d=\"{edges}\"/></svg><span>{title}</span></a></li>\n"
     )
 }
 
+/// Lines in the language of SVG, rounded to whole units.
+fn path(lines: &[Vec<[f32; 2]>]) -> String {
+    let line = |points: &Vec<[f32; 2]>| {
+        let points: Vec<_> = points.iter().map(|[x, y]| format!("{x:.0} {y:.0}")).collect();
+        format!("M{}", points.join(" "))
+    };
+    lines.iter().map(line).collect()
+}
+
 fn heading(figure: &Figure) -> String {
-    format!("<th scope=\"col\" class=\"number\" aria-sort=\"none\">{}</th>", figure.name)
+    format!(
+        "<th scope=\"col\" class=\"number\" aria-sort=\"none\">{}</th>",
+        figure.name
+    )
 }
 
 fn legend(figure: &Figure) -> String {
-    format!("<div><dt>{}</dt><dd>{}</dd></div>\n", figure.name, escaped(figure.meaning))
+    format!(
+        "<div><dt>{}</dt><dd>{}</dd></div>\n",
+        figure.name,
+        escaped(figure.meaning)
+    )
 }
 
 fn row(shown: &Shown, all: &[Shown]) -> String {
     let figures: String = FIGURES
         .iter()
         .map(|figure| {
-            let text = figure.text(shown.measures);
-            let least = all.iter().map(|s| (figure.value)(s.measures)).fold(f64::INFINITY, f64::min);
+            let text = figure.text(&shown.measures);
+            let least = all
+                .iter()
+                .map(|s| (figure.value)(&s.measures))
+                .fold(f64::INFINITY, f64::min);
             // By what is read, so that figures that look the same are treated the same.
             let is_best = all.len() > 1
-                && all.iter().any(|s| (figure.value)(s.measures) == least && figure.text(s.measures) == text);
+                && all
+                    .iter()
+                    .any(|s| (figure.value)(&s.measures) == least && figure.text(&s.measures) == text);
             let class = if is_best { "number best" } else { "number" };
-            let value = (figure.value)(shown.measures);
+            let value = (figure.value)(&shown.measures);
             format!("<td class=\"{class}\" data-value=\"{value}\">{text}</td>")
         })
         .collect();
@@ -227,15 +254,17 @@ fn row(shown: &Shown, all: &[Shown]) -> String {
     )
 }
 
-fn section(shown: &Shown, options: &Options) -> String {
-    let (projection, title, size) = (shown.projection, shown.title(), options.size);
-    let [also, idea, origin] = shown.entry.map_or([""; 3], |entry| [entry.also, entry.idea, entry.origin]);
+fn section(shown: &Shown, size: u32) -> String {
+    let (projection, title) = (shown.projection, shown.title());
+    let [also, idea, origin] = shown
+        .entry
+        .map_or([""; 3], |entry| [entry.also, entry.idea, entry.origin]);
     let paragraph = |class: &str, text: &str| match text {
         "" => String::new(),
         text => format!("<p class=\"{class}\">{}</p>\n", escaped(text)),
     };
     let fact = |name: &str, value: &str| format!("<div><dt>{name}</dt><dd>{value}</dd></div>\n");
-    let figures: String = FIGURES.iter().map(|f| fact(f.name, &f.text(shown.measures))).collect();
+    let figures: String = FIGURES.iter().map(|f| fact(f.name, &f.text(&shown.measures))).collect();
     let [narrow, wide] = shown.measures.aspect;
     let [forward, inverse] = shown.methods();
     format!(
@@ -265,7 +294,10 @@ fn section(shown: &Shown, options: &Options) -> String {
 }
 
 fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+    path.file_name()
+        .unwrap_or(path.as_os_str())
+        .to_string_lossy()
+        .into_owned()
 }
 
 fn escaped(text: &str) -> String {

@@ -5,13 +5,16 @@ use tiny_skia::{Color, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, Tr
 /// A colour and a width.
 #[derive(Clone, Copy)]
 pub struct Pen {
-    /// Red, green, blue and opacity.
-    pub color: [u8; 4],
-    /// In pixels of a picture 512 pixels high.
-    pub width: f32,
+    color: [u8; 4],
+    width: f32,
 }
 
 impl Pen {
+    /// Of red, green, blue and opacity, and a width in pixels of a picture 512 pixels high.
+    pub const fn new(color: [u8; 4], width: f32) -> Self {
+        Self { color, width }
+    }
+
     /// Strokes all lines at once, so that where they cross they do not shine through each other.
     ///
     /// Points are in pixels. The round ends reach over the border of the picture and are cut there.

@@ -17,11 +17,7 @@ struct Sample<K> {
 const NEAR: f64 = 1e-11;
 
 /// The pieces of a curve over t from 0 to `steps`, sampled at least at every whole t and with no gap above `longest`.
-pub fn trace<K: Copy + PartialEq>(
-    curve: impl Fn(f64) -> (K, [f64; 2]),
-    steps: usize,
-    longest: f64,
-) -> Vec<Piece<K>> {
+pub fn trace<K: Copy + PartialEq>(curve: impl Fn(f64) -> (K, [f64; 2]), steps: usize, longest: f64) -> Vec<Piece<K>> {
     let sample = |t| {
         let (place, point) = curve(t);
         Sample { t, place, point }

@@ -18,6 +18,7 @@ use crate::{Direction, Real};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[repr(u8)]
 pub enum Face {
     /// Around 0° N, 0° E.
@@ -83,11 +84,7 @@ impl Face {
     pub fn containing<T: Real>(direction: Direction<T>) -> Self {
         let [x, y, z] = direction.to_array();
         let polar = (z.abs() > y.abs()) & (z.abs() >= x.abs());
-        select(
-            polar,
-            Self::polar(z),
-            Self::equatorial(x, y),
-        )
+        select(polar, Self::polar(z), Self::equatorial(x, y))
     }
 
     /// The side face of a longitude; of equal |x| and |y| the axis y.

@@ -72,10 +72,10 @@ pub struct InvalidFacePoint<T> {
     pub y: T,
 }
 
-impl<T: fmt::Display> fmt::Display for InvalidFacePoint<T> {
+impl<T: fmt::Debug> fmt::Display for InvalidFacePoint<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "({}, {}) is not in [-1, 1]²", self.x, self.y)
+        write!(f, "({:?}, {:?}) is not in [-1, 1]²", self.x, self.y)
     }
 }
 
-impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidFacePoint<T> {}
+impl<T: fmt::Debug> core::error::Error for InvalidFacePoint<T> {}

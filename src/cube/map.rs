@@ -18,6 +18,7 @@ use crate::{Ellipsoid, LatLon, Real, Shift, Shifted};
 /// # Ok::<(), terrella::latitude::UnsupportedFlattening<f64>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CubeMap<T, P> {
     shifted: Shifted<T>,
     projection: P,
@@ -27,7 +28,7 @@ impl<T: Real, P: CubeProjection> CubeMap<T, P> {
     /// From an ellipsoid, the shift that lays it on the sphere, and the sphere's projection.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] for the authalic, conformal and rectifying shifts outside −1/9 ≤ f ≤ 1/10.
+    /// [`UnsupportedFlattening`] if the latitude's formula does not hold for this ellipsoid.
     pub fn new(ellipsoid: Ellipsoid<T>, shift: Shift, projection: P) -> Result<Self, UnsupportedFlattening<T>> {
         Ok(Self {
             shifted: Shifted::new(ellipsoid, shift)?,

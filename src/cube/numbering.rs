@@ -111,7 +111,7 @@ pub enum InvalidNumbered<T> {
     Point(InvalidFacePoint<T>),
 }
 
-impl<T: core::fmt::Display> core::fmt::Display for InvalidNumbered<T> {
+impl<T: core::fmt::Debug> core::fmt::Display for InvalidNumbered<T> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Face(face) => face.fmt(f),
@@ -120,4 +120,4 @@ impl<T: core::fmt::Display> core::fmt::Display for InvalidNumbered<T> {
     }
 }
 
-impl<T: core::fmt::Debug + core::fmt::Display> core::error::Error for InvalidNumbered<T> {}
+impl<T: core::fmt::Debug> core::error::Error for InvalidNumbered<T> {}

@@ -16,6 +16,7 @@ use crate::{Ellipsoid, Real};
 /// assert!((authalic.degrees(45.0).unwrap() - 44.871_702_87_f64).abs() < 1e-8);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Conversion<T> {
     from: Latitude,
     to: Latitude,
@@ -39,15 +40,23 @@ impl<T: Real> Conversion<T> {
     /// Between two latitudes on an ellipsoid.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] for the authalic, conformal, rectifying and isometric latitudes outside −1/9 ≤ f ≤ 1/10.
+    /// [`UnsupportedFlattening`] if the latitude's formula does not hold for this ellipsoid.
     pub fn new(ellipsoid: Ellipsoid<T>, from: Latitude, to: Latitude) -> Result<Self, UnsupportedFlattening<T>> {
         let (start, end) = (angle_of(from), angle_of(to));
         let same = start == end;
         Ok(Self {
             from,
             to,
-            to_geodetic: if same { Correction::None } else { Correction::to_geodetic(ellipsoid, start)? },
-            from_geodetic: if same { Correction::None } else { Correction::to_shifted(ellipsoid, end)? },
+            to_geodetic: if same {
+                Correction::None
+            } else {
+                Correction::to_geodetic(ellipsoid, start)?
+            },
+            from_geodetic: if same {
+                Correction::None
+            } else {
+                Correction::to_shifted(ellipsoid, end)?
+            },
         })
     }
 
@@ -57,7 +66,12 @@ impl<T: Real> Conversion<T> {
     /// [`InvalidLatitude`] for NaN, and for an angle outside [−90, 90].
     #[inline]
     pub fn degrees(&self, value: T) -> Result<T, InvalidLatitude<T>> {
-        self.convert(value, T::of(90.0), T::pick(180.0 / core::f64::consts::PI, 57.295_78), sin_cos_degrees)
+        self.convert(
+            value,
+            T::of(90.0),
+            T::pick(180.0 / core::f64::consts::PI, 57.295_78),
+            sin_cos_degrees,
+        )
     }
 
     /// Converts radians to radians.
@@ -74,7 +88,9 @@ impl<T: Real> Conversion<T> {
     #[inline(always)]
     fn convert(&self, value: T, quarter: T, unit: T, sin_cos: impl Fn(T) -> (T, T)) -> Result<T, InvalidLatitude<T>> {
         let isometric = self.from == Latitude::Isometric;
-        if !(value.abs() <= quarter || isometric && value == value) {
+        let limit = if isometric { T::of(f64::INFINITY) } else { quarter };
+        let valid = value.abs() <= limit;
+        if !valid {
             return Err(InvalidLatitude(value));
         }
         if self.from == self.to {
@@ -87,7 +103,8 @@ impl<T: Real> Conversion<T> {
             isometric_of(self.from_geodetic.turn(sin_cos(geodetic)))
         } else {
             geodetic + self.from_geodetic.angle(double(geodetic)) * unit
-        })
+        }
+        .copysign(value))
     }
 }
 
@@ -113,10 +130,10 @@ fn isometric_of<T: Real>((sin, cos): (T, T)) -> T {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidLatitude<T>(pub T);
 
-impl<T: fmt::Display> fmt::Display for InvalidLatitude<T> {
+impl<T: fmt::Debug> fmt::Display for InvalidLatitude<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is no latitude between the poles", self.0)
+        write!(f, "{:?} is no latitude between the poles", self.0)
     }
 }
 
-impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidLatitude<T> {}
+impl<T: fmt::Debug> core::error::Error for InvalidLatitude<T> {}

@@ -7,6 +7,7 @@ use crate::{Ellipsoid, Real};
 /// A latitude is only ever changed by adding this angle or turning by it, so that its own rounding hardly counts and a tiny
 /// latitude keeps its relative precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) enum Correction<T> {
     /// Zero.
     None,
@@ -28,8 +29,8 @@ impl<T: Real> Correction<T> {
     pub fn to_shifted(ellipsoid: Ellipsoid<T>, shift: Shift) -> Result<Self, UnsupportedFlattening<T>> {
         match shift {
             Shift::Geodetic => Ok(Self::None),
-            Shift::Geocentric => Ok(Self::Tangent(geocentric(ellipsoid))),
-            Shift::Parametric => Ok(Self::Tangent(ellipsoid.n())),
+            Shift::Geocentric => tangent(ellipsoid, geocentric(ellipsoid)),
+            Shift::Parametric => tangent(ellipsoid, ellipsoid.n()),
             Shift::Authalic => series(ellipsoid, &series::AUTHALIC),
             Shift::Conformal => series(ellipsoid, &series::CONFORMAL),
             Shift::Rectifying => series(ellipsoid, &series::RECTIFYING),
@@ -40,8 +41,8 @@ impl<T: Real> Correction<T> {
     pub fn to_geodetic(ellipsoid: Ellipsoid<T>, shift: Shift) -> Result<Self, UnsupportedFlattening<T>> {
         match shift {
             Shift::Geodetic => Ok(Self::None),
-            Shift::Geocentric => Ok(Self::Tangent(-geocentric(ellipsoid))),
-            Shift::Parametric => Ok(Self::Tangent(-ellipsoid.n())),
+            Shift::Geocentric => tangent(ellipsoid, -geocentric(ellipsoid)),
+            Shift::Parametric => tangent(ellipsoid, -ellipsoid.n()),
             Shift::Authalic => series(ellipsoid, &series::AUTHALIC_INVERSE),
             Shift::Conformal => series(ellipsoid, &series::CONFORMAL_INVERSE),
             Shift::Rectifying => series(ellipsoid, &series::RECTIFYING_INVERSE),
@@ -54,7 +55,10 @@ impl<T: Real> Correction<T> {
         match *self {
             Self::None => T::ZERO,
             Self::Tangent(m) => atan2(-(m * sin2), T::ONE + m * cos2),
-            Self::Series { ref coefficients, short } => {
+            Self::Series {
+                ref coefficients,
+                short,
+            } => {
                 if short {
                     clenshaw(coefficients, T::terms(SHORT.0, SHORT.1), sin2, cos2)
                 } else {
@@ -92,6 +96,15 @@ impl<T: Real> Correction<T> {
 fn geocentric<T: Real>(ellipsoid: Ellipsoid<T>) -> T {
     let e2 = ellipsoid.e2();
     e2 / (T::of(2.0) - e2)
+}
+
+/// The correction of a fixed ratio of tangents. Beyond these flattenings it is no small angle, and loses digits.
+fn tangent<T: Real>(ellipsoid: Ellipsoid<T>, m: T) -> Result<Correction<T>, UnsupportedFlattening<T>> {
+    let f = ellipsoid.f();
+    if f < -T::ONE || f > T::of(0.5) {
+        return Err(UnsupportedFlattening(f));
+    }
+    Ok(Correction::Tangent(m))
 }
 
 /// The coefficients cₖ = nᵏpₖ(n).

@@ -16,6 +16,7 @@ macro_rules! names {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
         pub enum $kind {
             $($(#[$variant_doc])* $variant,)*
         }
@@ -122,20 +123,18 @@ impl From<Shift> for Latitude {
     }
 }
 
-/// The flattening of an ellipsoid for which the series of the authalic, conformal and rectifying latitudes are too short:
-/// outside [−1/9, 1/10].
+/// A flattening outside the range in which a latitude's formula keeps its accuracy.
+///
+/// That is −1/9 ≤ f ≤ 1/10 for the series of the authalic, conformal, rectifying and isometric latitudes, and −1 ≤ f ≤ ½ for the
+/// geocentric and parametric ones; the geodetic latitude needs no formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UnsupportedFlattening<T>(pub T);
 
-impl<T: fmt::Display> fmt::Display for UnsupportedFlattening<T> {
+impl<T: fmt::Debug> fmt::Display for UnsupportedFlattening<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "flattening {} is not in [-1/9, 1/10], where the series of this latitude hold",
-            self.0
-        )
+        write!(f, "flattening {:?} is out of range for this latitude", self.0)
     }
 }
 
-impl<T: fmt::Debug + fmt::Display> core::error::Error for UnsupportedFlattening<T> {}
+impl<T: fmt::Debug> core::error::Error for UnsupportedFlattening<T> {}

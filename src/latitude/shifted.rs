@@ -1,7 +1,7 @@
 use super::correction::Correction;
 use super::{Shift, UnsupportedFlattening};
-use crate::math::sin_cos_degrees;
 use crate::math::atan2_degrees;
+use crate::math::sin_cos_degrees;
 use crate::{Direction, Ellipsoid, LatLon, Real};
 
 /// An ellipsoid laid on the sphere: geodetic latitude and longitude to direction and back.
@@ -13,6 +13,7 @@ use crate::{Direction, Ellipsoid, LatLon, Real};
 /// assert!((d.to_lat_lon().lat() - 44.807_576_8_f64).abs() < 1e-7);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shifted<T> {
     ellipsoid: Ellipsoid<T>,
     shift: Shift,
@@ -24,7 +25,7 @@ impl<T: Real> Shifted<T> {
     /// From an ellipsoid and the latitude that is taken for the sphere's.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] for the authalic, conformal and rectifying latitudes outside −1/9 ≤ f ≤ 1/10.
+    /// [`UnsupportedFlattening`] if the latitude's formula does not hold for this ellipsoid.
     pub fn new(ellipsoid: Ellipsoid<T>, shift: Shift) -> Result<Self, UnsupportedFlattening<T>> {
         Ok(Self {
             ellipsoid,

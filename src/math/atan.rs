@@ -96,9 +96,9 @@ impl<T: Real> Reduced<T> {
         let high = [
             T::ZERO,
             T::pick(0.463_647_609_000_806_1, 0.463_647_6),
-            T::pick(0.785_398_163_397_448_3, 0.785_398_2),
+            T::pick(core::f64::consts::FRAC_PI_4, core::f32::consts::FRAC_PI_4),
             T::pick(1.1071487177940904, 1.1071488),
-            T::pick(1.570_796_326_794_896_6, 1.570_796_4),
+            T::pick(core::f64::consts::FRAC_PI_2, core::f32::consts::FRAC_PI_2),
         ];
         let low = [
             T::ZERO,

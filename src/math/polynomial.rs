@@ -11,6 +11,7 @@ use crate::Real;
 /// assert!((0.01_f64.polynomial(&p) - (0.01_f64.exp_m1() - 0.01)).abs() < 1e-12);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Polynomial<const N: usize, const M: usize> {
     /// For `f64`.
     pub f64: [f64; N],
@@ -29,7 +30,10 @@ impl<const N: usize> Polynomial<N, N> {
             rounded[i] = coefficients[i] as f32;
             i += 1;
         }
-        Self { f64: coefficients, f32: rounded }
+        Self {
+            f64: coefficients,
+            f32: rounded,
+        }
     }
 }
 

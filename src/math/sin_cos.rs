@@ -4,7 +4,7 @@ use crate::Real;
 
 /// Sine and cosine of an angle in radians.
 ///
-/// Within 0.55 ulp for |x| ≤ 10⁵ (`f64`) or 100 (`f32`), next to the multiples of π/2 too; NaN beyond.
+/// Within 0.8 ulp for |x| ≤ 10⁵ (`f64`) or 100 (`f32`), next to the multiples of π/2 too; NaN beyond.
 ///
 /// Reduction by three parts of π/2 (Cody and Waite), polynomials of `minimax.py`.
 ///
@@ -32,7 +32,8 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
 
 /// Sine and cosine of an angle in degrees.
 ///
-/// Within 0.55 ulp for |x| ≤ 10⁹ (`f64`) or 10⁶ (`f32`), NaN beyond; 0, ±½ and ±1 are exact where they are the result.
+/// Within 0.8 ulp for |x| ≤ 10⁹ (`f64`) or 10⁶ (`f32`), NaN beyond; 0, ±½ and ±1 are exact where they are the result, and a
+/// sine of 0 has the sign of x.
 ///
 /// ```
 /// let (sin, cos) = terrella::math::sin_cos_degrees(-240.0_f32);
@@ -45,8 +46,9 @@ pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
     let q = (x * T::of(1.0 / 90.0)).round();
     let r = select(x.abs() <= T::pick(1e9, 1e6), x - q * T::of(90.0), T::of(f64::NAN));
     let (high, low) = radians(r);
-    let (sin, cos) = reduced(high, low);
-    quadrant(q, (sin, cos))
+    let (sin, cos) = quadrant(q, reduced(high, low));
+    // A zero has the sign of the angle, so that −180 and 180 stay apart.
+    (select(sin == T::ZERO, T::ZERO.copysign(x), sin), cos)
 }
 
 /// Degrees to radians, as a sum of two numbers: π/180 is split so that its head times the argument's head is exact.

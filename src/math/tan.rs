@@ -3,7 +3,7 @@ use crate::Real;
 
 /// Tangent of an angle in radians, |x| ≤ π/4.
 ///
-/// Within 1 ulp there; the polynomial means nothing beyond.
+/// Within 1.2 ulp there; the polynomial means nothing beyond.
 ///
 /// ```
 /// assert_eq!(terrella::math::tan(core::f32::consts::FRAC_PI_4), 1.0);

@@ -1,7 +1,7 @@
 //! Cube projections against the truth.
 
-use terrella::cube::{CubeProjection, Face, FacePoint, Projection};
 use terrella::Direction;
+use terrella::cube::{CubeProjection, Face, FacePoint, Projection};
 
 use crate::truth::{Row, Scalar, Truth};
 
@@ -33,7 +33,10 @@ pub fn forward_error<T: Scalar>(projection: Projection, row: Row) -> f64 {
         // Across a tie the truth may choose the neighbour: compare through the inverse, at the truth's place.
         let truth = FacePoint::new(Face::from_index(face).unwrap(), row.value("x"), row.value("y")).unwrap();
         let here = FacePoint::new(point.face(), point.x().into(), point.y().into()).unwrap();
-        let (a, b) = (projection.unproject(truth).to_array(), projection.unproject(here).to_array());
+        let (a, b) = (
+            projection.unproject(truth).to_array(),
+            projection.unproject(here).to_array(),
+        );
         return a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
     }
     row.error("x", point.x()).max(row.error("y", point.y()))
@@ -44,17 +47,38 @@ pub fn inverse_error<T: Scalar>(projection: Projection, row: Row) -> f64 {
     let point = FacePoint::new(face, row.input::<T>("x"), row.input::<T>("y")).unwrap();
     let computed = projection.unproject(point).to_array();
     let columns = earth(["vx", "vy", "vz"]);
-    columns.iter().zip(computed).map(|(c, v)| row.error(c, v).powi(2)).sum::<f64>().sqrt()
+    columns
+        .iter()
+        .zip(computed)
+        .map(|(c, v)| row.error(c, v).powi(2))
+        .sum::<f64>()
+        .sqrt()
 }
 
 fn worst<T: Scalar>(p: Projection) -> [f64; 2] {
-    let name = if p == Projection::Cobe { "cobe-published" } else { file(p) };
+    let name = if p == Projection::Cobe {
+        "cobe-published"
+    } else {
+        file(p)
+    };
     let forward = Truth::read(&format!("cube_{}_forward", file(p)));
     let inverse = Truth::read(&format!("cube_{name}_inverse"));
     let largest = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
     [
-        largest(forward.exact_in::<T>(&["vx", "vy", "vz"]).into_iter().map(|r| forward_error::<T>(p, r)).collect()),
-        largest(inverse.exact_in::<T>(&["x", "y"]).into_iter().map(|r| inverse_error::<T>(p, r)).collect()),
+        largest(
+            forward
+                .exact_in::<T>(&["vx", "vy", "vz"])
+                .into_iter()
+                .map(|r| forward_error::<T>(p, r))
+                .collect(),
+        ),
+        largest(
+            inverse
+                .exact_in::<T>(&["x", "y"])
+                .into_iter()
+                .map(|r| inverse_error::<T>(p, r))
+                .collect(),
+        ),
     ]
 }
 

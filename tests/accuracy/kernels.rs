@@ -12,7 +12,11 @@ fn worst<T: Scalar>(file: &str, inputs: &[&str], compute: impl Fn(Row) -> Vec<(&
         compute(row).into_iter().map(move |(column, value)| {
             let e = row.ulps(column, value);
             if std::env::var("SHOW").is_ok() && e > 1.0 {
-                println!("{file} {} {:?} {column} {value:?} {e}", T::NAME, inputs.iter().map(|c| row.text(c)).collect::<Vec<_>>());
+                println!(
+                    "{file} {} {:?} {column} {value:?} {e}",
+                    T::NAME,
+                    inputs.iter().map(|c| row.text(c)).collect::<Vec<_>>()
+                );
             }
             e
         })
@@ -40,16 +44,34 @@ kernel!(sin_cos, "sin_cos", "kernel_sin_cos", ["x"], |row| {
     let (sin, cos) = math::sin_cos(x);
     vec![("sin", sin), ("cos", cos)]
 });
-kernel!(sin_cos_degrees, "sin_cos_degrees", "kernel_sin_cos_degrees", ["x"], |row| {
-    let (sin, cos) = math::sin_cos_degrees(row.input::<T>("x"));
-    vec![("sin", sin), ("cos", cos)]
-});
-kernel!(tan, "tan", "kernel_tan", ["x"], |row| vec![("tan", math::tan(row.input::<T>("x")))]);
-kernel!(atan, "atan", "kernel_atan", ["x"], |row| vec![("atan", math::atan(row.input::<T>("x")))]);
+kernel!(
+    sin_cos_degrees,
+    "sin_cos_degrees",
+    "kernel_sin_cos_degrees",
+    ["x"],
+    |row| {
+        let (sin, cos) = math::sin_cos_degrees(row.input::<T>("x"));
+        vec![("sin", sin), ("cos", cos)]
+    }
+);
+kernel!(tan, "tan", "kernel_tan", ["x"], |row| vec![(
+    "tan",
+    math::tan(row.input::<T>("x"))
+)]);
+kernel!(atan, "atan", "kernel_atan", ["x"], |row| vec![(
+    "atan",
+    math::atan(row.input::<T>("x"))
+)]);
 kernel!(atan2, "atan2", "kernel_atan2", ["y", "x"], |row| {
     vec![("atan2_radians", math::atan2(row.input::<T>("y"), row.input("x")))]
 });
 kernel!(atan2_degrees, "atan2_degrees", "kernel_atan2", ["y", "x"], |row| {
-    vec![("atan2_degrees", math::atan2_degrees(row.input::<T>("y"), row.input("x")))]
+    vec![(
+        "atan2_degrees",
+        math::atan2_degrees(row.input::<T>("y"), row.input("x")),
+    )]
 });
-kernel!(cbrt, "cbrt", "kernel_cbrt", ["x"], |row| vec![("cbrt", math::cbrt(row.input::<T>("x")))]);
+kernel!(cbrt, "cbrt", "kernel_cbrt", ["x"], |row| vec![(
+    "cbrt",
+    math::cbrt(row.input::<T>("x"))
+)]);

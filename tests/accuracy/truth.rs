@@ -33,7 +33,10 @@ impl Truth {
 
     /// The rows whose input columns are exact in the scalar: all of them for `f64`.
     pub fn exact_in<T: Scalar>(&self, inputs: &[&str]) -> Vec<Row<'_>> {
-        let rows = self.rows.iter().map(|fields| Row { header: &self.header, fields });
+        let rows = self.rows.iter().map(|fields| Row {
+            header: &self.header,
+            fields,
+        });
         let rows: Vec<_> = rows
             .filter(|row| inputs.iter().all(|&c| T::lift(row.value(c)).is_some()))
             .collect();
@@ -51,7 +54,9 @@ impl<'a> Row<'a> {
 
     /// A column rounded to the nearest `f64`: exact for inputs.
     pub fn value(self, column: &str) -> f64 {
-        self.text(column).parse().unwrap_or_else(|why| panic!("{}: {why}", self.text(column)))
+        self.text(column)
+            .parse()
+            .unwrap_or_else(|why| panic!("{}: {why}", self.text(column)))
     }
 
     /// An input in the scalar.
@@ -144,7 +149,11 @@ fn fixed(text: &str, places: i32) -> i128 {
     } else {
         all.extend(std::iter::repeat_n('0', -surplus as usize));
     }
-    let value: i128 = if all.is_empty() { 0 } else { all.parse().expect("digits") };
+    let value: i128 = if all.is_empty() {
+        0
+    } else {
+        all.parse().expect("digits")
+    };
     if negative { -value } else { value }
 }
 

@@ -5,6 +5,7 @@ use crate::Real;
 ///
 /// Nearly the adjusted cube, without a transcendental function: area ratio 1.27.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Algebraic;
 
 const C2: f64 = 0.87 * 0.87;

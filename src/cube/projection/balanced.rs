@@ -6,6 +6,7 @@ use crate::Real;
 /// Aspect ratio 1.403 and area ratio 1.405, so that the texture oversize ε of Dimitrijević, Lambers & Rančić (2016), eq. 3.9, is
 /// 1.41 where their best projection has 2. Found by minimax search; ten multiplications and additions a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Balanced;
 
 const B: [f64; 3] = [-0.22, 0.09, -0.11];
@@ -25,7 +26,11 @@ impl<T: Real> Factor<T> {
         let [b0, b1, b2] = B.map(T::of);
         let c = p * (b1 + b2 * q);
         let a = b0 + c;
-        Self { a, c, value: T::ONE + p * a }
+        Self {
+            a,
+            c,
+            value: T::ONE + p * a,
+        }
     }
 }
 
@@ -36,9 +41,8 @@ impl CubeProjection for Balanced {
         let (pu, pv) = (T::ONE - u * u, T::ONE - v * v);
         let two = T::of(2.0);
         // Within 9e-6; the error after one, two, three steps of Newton's method is at most 5e-11, 2e-16.
-        let start = |w: T, p: T, q: T| {
-            w * (T::ONE + p * (T::of(0.134_319) + p * (T::of(0.036_938) + T::of(0.111_502) * q)))
-        };
+        let start =
+            |w: T, p: T, q: T| w * (T::ONE + p * (T::of(0.134_319) + p * (T::of(0.036_938) + T::of(0.111_502) * q)));
         let (mut x, mut y) = (start(u, pu, pv), start(v, pv, pu));
         for _ in 0..T::terms(3, 2) {
             let (xx, yy) = (x * x, y * y);

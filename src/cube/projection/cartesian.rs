@@ -9,6 +9,7 @@ use crate::math::max;
 /// Written in p = 1 − x², q = 1 − y², so that components that agree on an edge agree to the last bit, and in gnomonic coordinates
 /// in the forward direction, where the printed 4.14 cancels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cartesian;
 
 impl CubeProjection for Cartesian {

@@ -7,10 +7,12 @@ use crate::math::Polynomial;
 /// Use it to read and write COBE data; [`CobeExact`] closes the round trip.
 /// Dimitrijević, Lambers & Rančić (2016) §4.4; Calabretta & Greisen (2002) §5.6.2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cobe;
 
 /// The COBE sky cube with the exact inverse of its published forward polynomial.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CobeExact;
 
 /// The family of polynomial quadrilateralized cubes that COBE's belongs to, with the coefficients as data.
@@ -31,6 +33,7 @@ pub struct CobeExact;
 /// # Ok::<(), terrella::InvalidDirection<f64>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct QuadCube(pub Polynomial<12, 12>);
 
 impl QuadCube {
@@ -111,8 +114,24 @@ impl CubeProjection for CobeExact {
 
 /// Pᵢⱼ of the published inverse u = x + x(1 − x²)ΣPᵢⱼx²ⁱy²ʲ: row j, column i.
 const P: [[f64; 7]; 7] = [
-    [-0.27292696, -0.07629969, -0.22797056, 0.54852384, -0.62930065, 0.25795794, 0.02584375],
-    [-0.02819452, -0.01471565, 0.48051509, -1.74114454, 1.71547508, -0.53022337, 0.0],
+    [
+        -0.27292696,
+        -0.07629969,
+        -0.22797056,
+        0.54852384,
+        -0.62930065,
+        0.25795794,
+        0.02584375,
+    ],
+    [
+        -0.02819452,
+        -0.01471565,
+        0.48051509,
+        -1.74114454,
+        1.71547508,
+        -0.53022337,
+        0.0,
+    ],
     [0.27058160, -0.56800938, 0.30803317, 0.98938102, -0.83180469, 0.0, 0.0],
     [-0.60441560, 1.50880086, -0.93678576, 0.08693841, 0.0, 0.0, 0.0],
     [0.93412077, -1.41601920, 0.33887446, 0.0, 0.0, 0.0, 0.0],

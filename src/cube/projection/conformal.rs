@@ -1,6 +1,8 @@
 use super::{CubeProjection, Face, normalise};
 use crate::Real;
-use crate::math::conformal::{CENTRE_TO_PLANE, CENTRE_TO_SPHERE, TO_PLANE, TO_PLANE_SCALE, TO_PLANE_UNSCALE, TO_SPHERE, TO_SPHERE_SCALE};
+use crate::math::conformal::{
+    CENTRE_TO_PLANE, CENTRE_TO_SPHERE, TO_PLANE, TO_PLANE_SCALE, TO_PLANE_UNSCALE, TO_SPHERE, TO_SPHERE_SCALE,
+};
 use crate::math::{Complex, POWER_IM, POWER_RE, ROOT_IM, ROOT_RE, cbrt, select};
 
 /// The conformal cube of Rančić, Purser & Mesinger (1996): no angular deformation but at the corners, where the scale goes to 0.
@@ -11,6 +13,7 @@ use crate::math::{Complex, POWER_IM, POWER_RE, ROOT_IM, ROOT_RE, cbrt, select};
 /// Near a corner z goes with the ¾th power of the distance on the sphere: an error of one rounding there, 1.1e-16 rad, is 1e-12 in
 /// x and y. That is the map's own conditioning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Conformal;
 
 const SQRT_3: f64 = 1.732_050_807_568_877_2;
@@ -52,7 +55,10 @@ impl CubeProjection for Conformal {
         let square = zeta * zeta;
         let [cx, cy] = (zeta * (square * square).polynomial(&CENTRE_TO_PLANE)).parts();
         let central = zeta.norm() < T::of(0.02);
-        [select(central, cx, x.copysign(right)), select(central, cy, y.copysign(up))]
+        [
+            select(central, cx, x.copysign(right)),
+            select(central, cy, y.copysign(up)),
+        ]
     }
 
     #[inline(always)]

@@ -9,6 +9,7 @@ use crate::{Direction, Real};
 /// Górski et al. (2005), arranged as in Dimitrijević, Lambers & Rančić (2016) §4.7; the polar triangles are centred on
 /// longitudes 0°, 90°, 180°, 270°. The side faces are Lambert's cylindrical equal-area projection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Healpix;
 
 /// 4/π·atan t for |t| ≤ 1, exact at ±1.

@@ -101,6 +101,8 @@ macro_rules! projections {
         /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
         pub enum Projection {
             $(
                 #[doc = concat!("[`", stringify!($variant), "`](struct@", stringify!($variant), "), \"", $name, "\".")]
@@ -189,7 +191,11 @@ impl FromStr for Projection {
     type Err = UnknownProjection;
 
     fn from_str(name: &str) -> Result<Self, UnknownProjection> {
-        Self::ALL.iter().copied().find(|p| p.name() == name).ok_or(UnknownProjection)
+        Self::ALL
+            .iter()
+            .copied()
+            .find(|p| p.name() == name)
+            .ok_or(UnknownProjection)
     }
 }
 

@@ -7,6 +7,7 @@ use crate::math::{max, min};
 /// The squarest texels of the classical maps, aspect ratio 1.013, for an area ratio of 3.57.
 /// Dimitrijević, Lambers & Rančić (2016) §4.3.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Outerra;
 
 const M: f64 = 0.207_106_781_186_547_52;

@@ -10,6 +10,7 @@ use crate::math::{QUAD_M, QUAD_T, odd_unit, select};
 /// x = u·√(q(q + 1)/(ρ(ρ + 1))), the shorter x·m(t), with m one odd function of one variable.
 /// Nothing cancels anywhere, and on an edge ρ = q.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Quadrilateralized;
 
 impl CubeProjection for Quadrilateralized {

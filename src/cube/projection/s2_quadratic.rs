@@ -6,6 +6,7 @@ use crate::Real;
 /// No transcendental function; area ratio 2.09. Faces and axes are this crate's: see [`Numbering`](crate::cube::Numbering) for
 /// those of S2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct S2Quadratic;
 
 impl CubeProjection for S2Quadratic {

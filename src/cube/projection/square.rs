@@ -5,6 +5,7 @@ use crate::Real;
 ///
 /// Found by minimax search over polynomial maps (x·A(x, y), y·A(y, x), Z(x, y)).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Square;
 
 const B02: f64 = -0.144_667_241_461_084_73;

@@ -7,6 +7,7 @@ use crate::math::{atan, tan};
 /// Great circles are straight lines. Area ratio 5.196, aspect ratio 2.
 /// Dimitrijević, Lambers & Rančić (2016) §4.1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tangential;
 
 impl CubeProjection for Tangential {
@@ -28,6 +29,7 @@ macro_rules! tangent {
     ($(#[$doc:meta])* $name:ident, $theta:expr) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name;
 
         impl CubeProjection for $name {

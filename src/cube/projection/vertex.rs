@@ -11,6 +11,7 @@ use crate::math::{VERTEX_T, VERTEX_TAU, select};
 /// In the octant 0 ≤ y ≤ x: a great circle from the corner V through the point P meets the midline at D; r = |VP|/|VD| (chords) is
 /// 1 − y, and t is the share of the triangle's area on the midline's side of VD.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Vertex;
 
 const SQRT_3: f64 = 1.732_050_807_568_877_2;

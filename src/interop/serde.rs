@@ -1,0 +1,27 @@
+//! Deserialisation through the same doors as `new`: what a constructor refuses is refused here.
+
+use serde::de::{Deserialize, Deserializer, Error};
+
+use crate::cube::{Face, FacePoint};
+use crate::{Direction, Ellipsoid, LatLon, Real};
+
+macro_rules! checked {
+    ($name:ident { $($field:ident: $kind:ty),* }) => {
+        impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for $name<T> {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                #[derive(serde::Deserialize)]
+                #[serde(rename = stringify!($name))]
+                struct Fields<T> {
+                    $($field: $kind),*
+                }
+                let Fields { $($field),* } = Fields::deserialize(deserializer)?;
+                Self::new($($field),*).map_err(D::Error::custom)
+            }
+        }
+    };
+}
+
+checked!(LatLon { lat: T, lon: T });
+checked!(Direction { x: T, y: T, z: T });
+checked!(Ellipsoid { a: T, f: T });
+checked!(FacePoint { face: Face, x: T, y: T });
