@@ -1,9 +1,10 @@
 //! What can be asked for, and one line of complaint for what cannot.
 
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
-use clap::Parser;
 use clap::error::ErrorKind;
+use clap::{Parser, value_parser};
 use terrella::cube::Projection;
 use terrella::{Ellipsoid, NAMED, Shift};
 
@@ -29,51 +30,64 @@ pub struct Options {
     pub out: PathBuf,
 }
 
-/// Draws an atlas of cube projections: an HTML page with, for each projection, the map of the Earth on the unfolded cube and the
-/// cube's grid on the globe.
 #[derive(Parser)]
-#[command(name = "atlas", max_term_width = 100)]
+#[command(name = "atlas", about = ABOUT)]
 struct Arguments {
-    /// Map of the whole Earth to draw, equidistant cylindrical: JPEG or PNG, twice as wide as high, longitude -180 at the left
-    /// edge, latitude 90 at the top [default: examples/data/earth-blue-marble-2048.jpg]
-    #[arg(long, value_name = "IMAGE")]
+    #[arg(long, value_name = "IMAGE", help = INPUT)]
     input: Option<PathBuf>,
 
-    #[arg(long = "projection", value_name = "NAME", help = projection_help())]
+    #[arg(long = "projection", value_name = "NAME", help = choice(PROJECTION, Projection::ALL))]
     projections: Vec<Projection>,
 
-    #[arg(long, value_name = "NAME", default_value_t = Shift::default(), help = shift_help())]
+    #[arg(long, value_name = "NAME", help = choice(SHIFT, Shift::ALL), default_value_t = Shift::default())]
     shift: Shift,
 
-    #[arg(long, value_name = "NAME | A,F", default_value = "wgs84", value_parser = named_ellipsoid, help = ellipsoid_help())]
+    #[arg(long, value_name = "NAME", help = choice(ELLIPSOID, NAMED), default_value = "wgs84", value_parser = ellipsoid)]
     ellipsoid: (String, Ellipsoid<f64>),
 
-    /// Pixels along the edge of a face, 64 to 2048
-    #[arg(long, value_name = "N", default_value_t = 512, value_parser = clap::value_parser!(u32).range(64..=2048))]
+    #[arg(long, value_name = "N", help = SIZE, default_value_t = 512, value_parser = value_parser!(u32).range(64..=2048))]
     size: u32,
 
-    /// Folder to write to, made if there is none [default: target/atlas]
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", help = OUT)]
     out: Option<PathBuf>,
 }
 
-fn projection_help() -> String {
-    let names = names(Projection::ALL.iter().map(|p| p.name()));
-    format!("Projection to draw, once for each; all of them if not given: {names}")
-}
+const ABOUT: &str = "\
+Draws an atlas of cube projections: a page with, for each projection, the map of
+the Earth on the unfolded cube and the grid of the cube on the globe.";
 
-fn shift_help() -> String {
-    let names = names(Shift::ALL.iter().map(|s| s.name()));
-    format!("Which latitude is taken for the sphere's: {names}")
-}
+const INPUT: &str = "\
+Map of the whole Earth in equidistant cylindrical projection, JPEG or
+PNG, twice as wide as high, longitude -180 at the left edge
+[default: examples/data/earth-blue-marble-2048.jpg]";
 
-fn ellipsoid_help() -> String {
-    let names = names(NAMED.iter().copied());
-    format!("{names}, or a semi-major axis in metres and a flattening, such as 6378137,1/298.257223563")
-}
+const PROJECTION: &str = "Projection to draw, once for each; without any, all of";
 
-fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
-    names.collect::<Vec<_>>().join(", ")
+const SHIFT: &str = "Latitude that is taken for the sphere's, one of";
+
+const ELLIPSOID: &str = "\
+Shape of the Earth: A,F, the semi-major axis in metres and the
+flattening, such as 6378137,1/298.257223563, or one of";
+
+const SIZE: &str = "Pixels along the edge of a face, 64 to 2048";
+
+const OUT: &str = "Folder to write to, made if there is none [default: target/atlas]";
+
+/// A help text that ends in a list of names, on lines of moderate length.
+fn choice<T: Display>(text: &str, names: &[T]) -> String {
+    let mut help = text.to_owned();
+    let mut room = 0;
+    for name in names.iter().map(T::to_string) {
+        if name.len() < room {
+            help.push(' ');
+        } else {
+            help.push('\n');
+            room = 66;
+        }
+        room = room.saturating_sub(name.len() + 1);
+        help.push_str(&name);
+    }
+    help
 }
 
 /// Reads the command line.
@@ -106,12 +120,12 @@ pub fn parse() -> Result<Request, String> {
 }
 
 /// An ellipsoid by name or as `A,F`, along with what it was called.
-fn named_ellipsoid(text: &str) -> Result<(String, Ellipsoid<f64>), String> {
+fn ellipsoid(text: &str) -> Result<(String, Ellipsoid<f64>), String> {
     let ellipsoid = match text.split_once(',') {
         None => Ellipsoid::named(text).ok_or_else(|| {
             format!(
-                "unknown ellipsoid; known are {}, or give A,F",
-                names(NAMED.iter().copied())
+                "unknown ellipsoid; known are {}; others are given as A,F",
+                NAMED.join(" ")
             )
         })?,
         Some((a, f)) => Ellipsoid::new(number(a)?, number(f)?).map_err(|error| error.to_string())?,

@@ -71,9 +71,7 @@ fn vertex(row: &str) -> Option<(u32, LatLon<f64>)> {
 
 /// Whether a step runs along the border of the flat map, where land was cut in two: there is no coast.
 fn is_artificial(from: LatLon<f64>, to: LatLon<f64>) -> bool {
-    let on_cut = |place: LatLon<f64>| place.lon().abs() == 180.0;
-    let at_pole = |place: LatLon<f64>| place.lat() == -90.0;
-    (on_cut(from) && on_cut(to)) || at_pole(from) || at_pole(to)
+    from.lon().abs() == 180.0 && to.lon().abs() == 180.0
 }
 
 fn finish(line: &mut Vec<[f64; 2]>, lines: &mut Vec<Line>) {

@@ -18,7 +18,7 @@ mod trace;
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 use image::RgbImage;
@@ -96,13 +96,13 @@ fn atlas(options: &Options) -> Result<String, String> {
 }
 
 /// The picture of a projection's unfolded cube.
-fn cross_file(projection: Projection) -> PathBuf {
-    PathBuf::from(format!("{projection}-cube.jpg"))
+fn cross_file(projection: Projection) -> String {
+    format!("{projection}-cube.jpg")
 }
 
 /// The picture of a projection's grid on the globe.
-fn globe_file(projection: Projection) -> PathBuf {
-    PathBuf::from(format!("{projection}-globe.jpg"))
+fn globe_file(projection: Projection) -> String {
+    format!("{projection}-globe.jpg")
 }
 
 fn save(picture: &RgbImage, path: &Path) -> Result<(), String> {

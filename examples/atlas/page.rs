@@ -183,10 +183,12 @@ const FIGURES: &[Figure] = &[
 
 impl Figure {
     fn text(&self, measures: &Measures) -> String {
-        let value = (self.value)(measures);
+        self.written((self.value)(measures))
+    }
+
+    fn written(&self, value: f64) -> String {
         if value.is_finite() {
-            // Rounding must not leave a zero below zero.
-            format!("{:.*}{}", self.decimals, value.max(0.0), self.unit)
+            format!("{value:.*}{}", self.decimals, self.unit)
         } else {
             "∞".to_owned()
         }
@@ -227,24 +229,19 @@ fn legend(figure: &Figure) -> String {
 }
 
 fn row(shown: &Shown, all: &[Shown]) -> String {
-    let figures: String = FIGURES
-        .iter()
-        .map(|figure| {
-            let text = figure.text(&shown.measures);
-            let least = all
-                .iter()
-                .map(|s| (figure.value)(&s.measures))
-                .fold(f64::INFINITY, f64::min);
-            // By what is read, so that figures that look the same are treated the same.
-            let is_best = all.len() > 1
-                && all
-                    .iter()
-                    .any(|s| (figure.value)(&s.measures) == least && figure.text(&s.measures) == text);
-            let class = if is_best { "number best" } else { "number" };
-            let value = (figure.value)(&shown.measures);
-            format!("<td class=\"{class}\" data-value=\"{value}\">{text}</td>")
-        })
-        .collect();
+    let cell = |figure: &Figure| {
+        let value = (figure.value)(&shown.measures);
+        let least = all.iter().map(|s| (figure.value)(&s.measures)).fold(value, f64::min);
+        // Figures that read the same are equally good.
+        let is_best = all.len() > 1 && figure.written(value) == figure.written(least);
+        let class = if is_best { "number best" } else { "number" };
+        let sorted_by = if value.is_finite() { value } else { f64::MAX };
+        format!(
+            "<td class=\"{class}\" data-value=\"{sorted_by:e}\">{}</td>",
+            figure.written(value)
+        )
+    };
+    let figures: String = FIGURES.iter().map(cell).collect();
     let [forward, inverse] = shown.methods();
     format!(
         "<tr><th scope=\"row\"><a href=\"#{}\">{}</a></th><td>{}</td>{figures}<td>{forward}</td><td>{inverse}</td></tr>\n",
@@ -280,8 +277,8 @@ fn section(shown: &Shown, size: u32) -> String {
 "##,
         also = paragraph("also", also),
         idea = paragraph("idea", idea),
-        cross = file_name(&cross_file(projection)),
-        globe = file_name(&globe_file(projection)),
+        cross = cross_file(projection),
+        globe = globe_file(projection),
         width = 4 * size,
         height = 3 * size,
         disc = size * 3 / 2,

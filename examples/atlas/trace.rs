@@ -13,8 +13,8 @@ struct Sample<K> {
     point: [f64; 2],
 }
 
-/// The difference of parameters below which two samples are one point of the curve.
-const NEAR: f64 = 1e-11;
+/// The difference of parameters below which two samples are one point of the curve. The rounding of t is less up to millions of steps.
+const NEAR: f64 = 1e-9;
 
 /// The pieces of a curve over t from 0 to `steps`, sampled at least at every whole t and with no gap above `longest`.
 pub fn trace<K: Copy + PartialEq>(curve: impl Fn(f64) -> (K, [f64; 2]), steps: usize, longest: f64) -> Vec<Piece<K>> {

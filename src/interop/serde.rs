@@ -10,11 +10,10 @@ macro_rules! checked {
         impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for $name<T> {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 #[derive(serde::Deserialize)]
-                #[serde(rename = stringify!($name))]
-                struct Fields<T> {
+                struct $name<T> {
                     $($field: $kind),*
                 }
-                let Fields { $($field),* } = Fields::deserialize(deserializer)?;
+                let $name { $($field),* } = $name::deserialize(deserializer)?;
                 Self::new($($field),*).map_err(D::Error::custom)
             }
         }

@@ -1,13 +1,14 @@
-//! Cube projections against the truth.
+//! The projections: against the truth, and in `f32` over many points against `f64`.
 
 use terrella::Direction;
 use terrella::cube::{CubeProjection, Face, FacePoint, Projection};
 
+use crate::table::hold_projection;
 use crate::truth::{Row, Scalar, Truth};
 
-/// The truth file of a projection.
-pub fn file(projection: Projection) -> &'static str {
-    match projection {
+/// The truth files of a projection, forward and inverse.
+fn files(projection: Projection) -> [String; 2] {
+    let name = match projection {
         Projection::Tangential => "tsc",
         Projection::Adjusted => "asc",
         Projection::Outerra => "osc",
@@ -17,74 +18,122 @@ pub fn file(projection: Projection) -> &'static str {
         Projection::Healpix => "healpix",
         Projection::S2Quadratic => "s2q",
         other => other.name(),
-    }
-}
-
-/// Earth axes of the paper's (vx, vy, vz).
-fn earth<V>([vx, vy, vz]: [V; 3]) -> [V; 3] {
-    [vz, vx, vy]
-}
-
-pub fn forward_error<T: Scalar>(projection: Projection, row: Row) -> f64 {
-    let [x, y, z] = earth(["vx", "vy", "vz"].map(|c| row.input::<T>(c)));
-    let point = projection.project(Direction::new(x, y, z).expect("a direction"));
-    let face = row.value("face") as u8;
-    if point.face().index() != face {
-        // Across a tie the truth may choose the neighbour: compare through the inverse, at the truth's place.
-        let truth = FacePoint::new(Face::from_index(face).unwrap(), row.value("x"), row.value("y")).unwrap();
-        let here = FacePoint::new(point.face(), point.x().into(), point.y().into()).unwrap();
-        let (a, b) = (
-            projection.unproject(truth).to_array(),
-            projection.unproject(here).to_array(),
-        );
-        return a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
-    }
-    row.error("x", point.x()).max(row.error("y", point.y()))
-}
-
-pub fn inverse_error<T: Scalar>(projection: Projection, row: Row) -> f64 {
-    let face = Face::from_index(row.value("face") as u8).unwrap();
-    let point = FacePoint::new(face, row.input::<T>("x"), row.input::<T>("y")).unwrap();
-    let computed = projection.unproject(point).to_array();
-    let columns = earth(["vx", "vy", "vz"]);
-    columns
-        .iter()
-        .zip(computed)
-        .map(|(c, v)| row.error(c, v).powi(2))
-        .sum::<f64>()
-        .sqrt()
-}
-
-fn worst<T: Scalar>(p: Projection) -> [f64; 2] {
-    let name = if p == Projection::Cobe {
+    };
+    let inverse = if projection == Projection::Cobe {
         "cobe-published"
     } else {
-        file(p)
+        name
     };
-    let forward = Truth::read(&format!("cube_{}_forward", file(p)));
-    let inverse = Truth::read(&format!("cube_{name}_inverse"));
-    let largest = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
-    [
-        largest(
-            forward
-                .exact_in::<T>(&["vx", "vy", "vz"])
-                .into_iter()
-                .map(|r| forward_error::<T>(p, r))
-                .collect(),
-        ),
-        largest(
-            inverse
-                .exact_in::<T>(&["x", "y"])
-                .into_iter()
-                .map(|r| inverse_error::<T>(p, r))
-                .collect(),
-        ),
-    ]
+    [format!("cube_{name}_forward"), format!("cube_{inverse}_inverse")]
+}
+
+/// The truth's columns, by the paper's axes, in the order of the Earth's.
+const EARTH: [&str; 3] = ["vz", "vx", "vy"];
+
+fn forward_error<T: Scalar>(projection: Projection, row: Row) -> f64 {
+    let [x, y, z] = EARTH.map(|column| row.input::<T>(column));
+    let point = projection.project(Direction::new(x, y, z).unwrap());
+    let face = Face::from_index(row.value("face") as u8).unwrap();
+    if point.face() == face {
+        return row.error("x", point.x()).max(row.error("y", point.y()));
+    }
+    // Where a tie is decided by the rounding of the input, the neighbour's point must be the same direction.
+    let theirs = FacePoint::new(face, row.value("x"), row.value("y")).unwrap();
+    let ours = FacePoint::new(point.face(), point.x().into(), point.y().into()).unwrap();
+    distance(
+        projection.unproject(theirs).to_array(),
+        projection.unproject(ours).to_array(),
+    )
+}
+
+fn inverse_error<T: Scalar>(projection: Projection, row: Row) -> f64 {
+    let face = Face::from_index(row.value("face") as u8).unwrap();
+    let point = FacePoint::new(face, row.input::<T>("x"), row.input("y")).unwrap();
+    let computed = projection.unproject(point).to_array();
+    let squares = EARTH
+        .iter()
+        .zip(computed)
+        .map(|(column, v)| row.error(column, v).powi(2));
+    squares.sum::<f64>().sqrt()
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The largest errors over the truth, forward and inverse.
+fn against_truth<T: Scalar>(projection: Projection) -> [f64; 2] {
+    let [forward, inverse] = files(projection).map(|file| Truth::read(&file));
+    let forward = forward
+        .exact_in::<T>(&EARTH)
+        .into_iter()
+        .map(|row| forward_error::<T>(projection, row));
+    let forward = forward.fold(0.0, f64::max);
+    let inverse = inverse
+        .exact_in::<T>(&["x", "y"])
+        .into_iter()
+        .map(|row| inverse_error::<T>(projection, row));
+    [forward, inverse.fold(0.0, f64::max)]
+}
+
+/// A coordinate, often on or near an edge, a diagonal's end or a midline.
+fn coordinate(rng: &mut fastrand::Rng) -> f32 {
+    let signed = 2.0 * rng.f32() - 1.0;
+    match rng.u8(0..8) {
+        0 => 1f32.copysign(signed),
+        1 => (1.0 - 10f32.powf(-7.0 * rng.f32())).copysign(signed),
+        2 => 10f32.powf(-7.0 * rng.f32()) * signed,
+        3 => 0.0,
+        _ => signed,
+    }
+}
+
+/// The largest errors of `f32` against `f64`, forward and inverse, over many points.
+fn against_double(projection: Projection, points: usize) -> [f64; 2] {
+    let mut rng = fastrand::Rng::with_seed(2);
+    let mut worst = [0.0_f64; 2];
+    for _ in 0..points {
+        let face = Face::ALL[rng.usize(0..6)];
+        let x = coordinate(&mut rng);
+        let y = if rng.u8(0..8) == 0 {
+            x * (1.0 - 1e-5 * rng.f32())
+        } else {
+            coordinate(&mut rng)
+        };
+
+        let [a, b, c] = face.to_earth([x, y, 1.0]);
+        let single = Direction::new(a, b, c).unwrap();
+        let [a, b, c] = single.to_array().map(f64::from);
+        let (p, q) = (
+            projection.project(single),
+            projection.project(Direction::new(a, b, c).unwrap()),
+        );
+        // HEALPix compares 3|z| with 2, which rounds.
+        assert!(p.face() == q.face() || projection == Projection::Healpix);
+        if p.face() == q.face() {
+            let error = (f64::from(p.x()) - q.x()).abs().max((f64::from(p.y()) - q.y()).abs());
+            worst[0] = worst[0].max(error);
+        }
+
+        let single = projection.unproject(FacePoint::new(face, x, y).unwrap()).to_array();
+        let double = projection
+            .unproject(FacePoint::new(face, x.into(), y.into()).unwrap())
+            .to_array();
+        worst[1] = worst[1].max(distance(single.map(f64::from), double));
+    }
+    worst
 }
 
 #[test]
-fn print_all() {
-    for &p in Projection::ALL {
-        println!("{:18} {:?} {:?}", p.name(), worst::<f64>(p), worst::<f32>(p));
+fn projections_are_as_accurate_as_claimed() {
+    for &projection in Projection::ALL {
+        let double = against_truth::<f64>(projection);
+        let single = against_truth::<f32>(projection);
+        let wide = against_double(projection, 100_000);
+        hold_projection(
+            projection,
+            [double[0], single[0].max(wide[0])],
+            [double[1], single[1].max(wide[1])],
+        );
     }
 }

@@ -1,77 +1,142 @@
-//! The kernels of `math` against the truth.
+//! The kernels of `math`: against the truth, and in `f32` over many arguments against `f64`.
 
-use terrella::math;
+use terrella::{Real, math};
 
 use crate::table::hold;
-use crate::truth::{Row, Scalar, Truth};
+use crate::truth::{Scalar, Truth, ulps_between};
 
-/// The largest error in ulp over a file: `compute` gives the columns and values of a row.
-fn worst<T: Scalar>(file: &str, inputs: &[&str], compute: impl Fn(Row) -> Vec<(&'static str, T)>) -> f64 {
-    let truth = Truth::read(file);
-    let errors = truth.exact_in::<T>(inputs).into_iter().flat_map(|row| {
-        compute(row).into_iter().map(move |(column, value)| {
-            let e = row.ulps(column, value);
-            if std::env::var("SHOW").is_ok() && e > 1.0 {
-                println!(
-                    "{file} {} {:?} {column} {value:?} {e}",
-                    T::NAME,
-                    inputs.iter().map(|c| row.text(c)).collect::<Vec<_>>()
-                );
+/// A function of `math`, its truth file with the columns of arguments and results, and arguments to try at random.
+trait Kernel {
+    const NAME: &str;
+    const FILE: &str;
+    const ARGUMENTS: &[&str];
+    const RESULTS: &[&str];
+    /// The largest argument in `f32`.
+    const LIMIT: f64 = f64::INFINITY;
+    fn call<T: Real>(arguments: &[T]) -> Vec<T>;
+    fn arguments(rng: &mut fastrand::Rng) -> Vec<f32>;
+}
+
+/// The largest error in ulp over the truth file.
+fn against_truth<K: Kernel, T: Scalar>() -> f64 {
+    let truth = Truth::read(K::FILE);
+    let limit = if T::NAME == "f32" { K::LIMIT } else { f64::INFINITY };
+    let mut worst = 0.0_f64;
+    for row in truth.exact_in::<T>(K::ARGUMENTS) {
+        if row.value(K::ARGUMENTS[0]).abs() <= limit {
+            let arguments: Vec<T> = K::ARGUMENTS.iter().map(|column| row.input(column)).collect();
+            for (column, result) in K::RESULTS.iter().zip(K::call(&arguments)) {
+                worst = worst.max(row.ulps(column, result));
             }
-            e
-        })
-    });
-    errors.fold(0.0, f64::max)
+        }
+    }
+    worst
+}
+
+/// The largest error in ulp of `f32` against `f64` over many arguments.
+fn against_double<K: Kernel>() -> f64 {
+    let mut rng = fastrand::Rng::with_seed(1);
+    let mut worst = 0.0_f64;
+    for _ in 0..300_000 {
+        let single = K::arguments(&mut rng);
+        let double: Vec<f64> = single.iter().copied().map(f64::from).collect();
+        for (s, d) in K::call(&single).into_iter().zip(K::call(&double)) {
+            worst = worst.max(ulps_between(s, d));
+        }
+    }
+    worst
+}
+
+fn signed(rng: &mut fastrand::Rng) -> f32 {
+    2.0 * rng.f32() - 1.0
 }
 
 macro_rules! kernel {
-    ($test:ident, $claim:literal, $file:literal, $inputs:expr, $compute:expr) => {
+    ($kernel:ident($($argument:literal),+) -> $results:expr, $file:literal, $(limit $limit:literal,)?
+     |$x:ident| $call:expr, |$rng:ident| $random:expr) => {
         #[test]
-        fn $test() {
-            fn of<T: Scalar>() -> f64 {
-                worst::<T>($file, &$inputs, $compute)
+        fn $kernel() {
+            struct Here;
+            impl Kernel for Here {
+                const NAME: &str = concat!("math::", stringify!($kernel));
+                const FILE: &str = $file;
+                const ARGUMENTS: &[&str] = &[$($argument),+];
+                const RESULTS: &[&str] = &$results;
+                $(const LIMIT: f64 = $limit;)?
+                fn call<T: Real>($x: &[T]) -> Vec<T> {
+                    $call.into()
+                }
+                fn arguments($rng: &mut fastrand::Rng) -> Vec<f32> {
+                    $random.into()
+                }
             }
-            hold($claim, of::<f64>(), of::<f32>());
+            let single = against_truth::<Here, f32>().max(against_double::<Here>());
+            hold(Here::NAME, [against_truth::<Here, f64>(), single]);
         }
     };
 }
 
-kernel!(sin_cos, "sin_cos", "kernel_sin_cos", ["x"], |row| {
-    let x: T = row.input("x");
-    if x.abs() > T::of(100.0) && T::NAME == "f32" {
-        return vec![];
+kernel!(sin_cos("x") -> ["sin", "cos"], "kernel_sin_cos", limit 100.0,
+    |x| <[T; 2]>::from(math::sin_cos(x[0])), |rng| [100.0 * signed(rng)]);
+kernel!(sin_cos_degrees("x") -> ["sin", "cos"], "kernel_sin_cos_degrees",
+    |x| <[T; 2]>::from(math::sin_cos_degrees(x[0])), |rng| [720.0 * signed(rng)]);
+kernel!(tan("x") -> ["tan"], "kernel_tan",
+    |x| [math::tan(x[0])], |rng| [core::f32::consts::FRAC_PI_4 * signed(rng)]);
+kernel!(atan("x") -> ["atan"], "kernel_atan",
+    |x| [math::atan(x[0])], |rng| [signed(rng) / rng.f32().max(1e-6)]);
+kernel!(atan2("y", "x") -> ["atan2_radians"], "kernel_atan2",
+    |x| [math::atan2(x[0], x[1])], |rng| [signed(rng), signed(rng)]);
+kernel!(atan2_degrees("y", "x") -> ["atan2_degrees"], "kernel_atan2",
+    |x| [math::atan2_degrees(x[0], x[1])], |rng| [signed(rng), signed(rng)]);
+kernel!(cbrt("x") -> ["cbrt"], "kernel_cbrt",
+    |x| [math::cbrt(x[0])], |rng| [8.0 * signed(rng)]);
+
+#[test]
+fn degrees_are_exact_where_the_result_is() {
+    fn check<T: Scalar>() {
+        for quarter in -8..=8_i32 {
+            let x = T::of(f64::from(quarter) * 90.0);
+            let (sin, cos) = math::sin_cos_degrees(x);
+            let expected = [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][quarter.rem_euclid(4) as usize];
+            assert_eq!((sin.into(), cos.into()), expected, "{x:?}");
+            for (offset, at) in [(30.0, [0.5, 3f64.sqrt() / 2.0]), (60.0, [3f64.sqrt() / 2.0, 0.5])] {
+                let (sin, cos) = math::sin_cos_degrees(x + T::of(offset));
+                // Turned back to the first quadrant, the half is exact.
+                let (s, c) = match quarter.rem_euclid(4) {
+                    0 => (sin, cos),
+                    1 => (-cos, sin),
+                    2 => (-sin, -cos),
+                    _ => (cos, -sin),
+                };
+                let half = if offset == 30.0 { s } else { c };
+                assert_eq!(half, T::of(0.5), "{x:?} + {offset}");
+                assert!((s.into() - at[0]).abs() < 1e-7 && (c.into() - at[1]).abs() < 1e-7);
+            }
+        }
+        for (y, x, degrees) in [
+            (1.0, 1.0, 45.0),
+            (1.0, -1.0, 135.0),
+            (-2.0, 0.0, -90.0),
+            (0.0, -3.0, 180.0),
+        ] {
+            assert_eq!(math::atan2_degrees(T::of(y), T::of(x)), T::of(degrees));
+        }
+        assert_eq!(
+            T::ONE.copysign(math::sin_cos_degrees(T::of(-180.0)).0),
+            -T::ONE,
+            "the sine of −180 is −0"
+        );
     }
-    let (sin, cos) = math::sin_cos(x);
-    vec![("sin", sin), ("cos", cos)]
-});
-kernel!(
-    sin_cos_degrees,
-    "sin_cos_degrees",
-    "kernel_sin_cos_degrees",
-    ["x"],
-    |row| {
-        let (sin, cos) = math::sin_cos_degrees(row.input::<T>("x"));
-        vec![("sin", sin), ("cos", cos)]
-    }
-);
-kernel!(tan, "tan", "kernel_tan", ["x"], |row| vec![(
-    "tan",
-    math::tan(row.input::<T>("x"))
-)]);
-kernel!(atan, "atan", "kernel_atan", ["x"], |row| vec![(
-    "atan",
-    math::atan(row.input::<T>("x"))
-)]);
-kernel!(atan2, "atan2", "kernel_atan2", ["y", "x"], |row| {
-    vec![("atan2_radians", math::atan2(row.input::<T>("y"), row.input("x")))]
-});
-kernel!(atan2_degrees, "atan2_degrees", "kernel_atan2", ["y", "x"], |row| {
-    vec![(
-        "atan2_degrees",
-        math::atan2_degrees(row.input::<T>("y"), row.input("x")),
-    )]
-});
-kernel!(cbrt, "cbrt", "kernel_cbrt", ["x"], |row| vec![(
-    "cbrt",
-    math::cbrt(row.input::<T>("x"))
-)]);
+    check::<f64>();
+    check::<f32>();
+}
+
+#[test]
+fn out_of_domain_is_not_a_number() {
+    assert!(math::sin_cos(1e6_f64).0.is_nan() && math::sin_cos(101.0_f32).1.is_nan());
+    assert!(math::sin_cos_degrees(1e10_f64).0.is_nan() && math::sin_cos_degrees(f32::INFINITY).1.is_nan());
+    assert_eq!(
+        (math::cbrt(0.0_f64), math::cbrt(-8.0_f32), math::cbrt(f64::INFINITY)),
+        (0.0, -2.0, f64::INFINITY)
+    );
+}

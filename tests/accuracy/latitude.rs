@@ -1,90 +1,127 @@
 //! Auxiliary latitudes against the truth.
 
 use terrella::latitude::Conversion;
-use terrella::{Ellipsoid, Latitude, Real};
+use terrella::{Ellipsoid, Latitude};
 
 use crate::table::hold;
 use crate::truth::{Scalar, Truth};
 
 const ELLIPSOIDS: [&str; 3] = ["wgs84", "oblate10", "prolate150"];
 
-fn ellipsoid<T: Real>(name: &str) -> Ellipsoid<T> {
-    match name {
+fn conversion<T: Scalar>(ellipsoid: &str, from: Latitude, to: Latitude) -> Conversion<T> {
+    let ellipsoid = match ellipsoid {
         "wgs84" => Ellipsoid::wgs84(),
         "oblate10" => Ellipsoid::new(T::of(6.4e6), T::of(0.1)).unwrap(),
-        _ => Ellipsoid::new(T::of(6.4e6), T::of(-1.0 / 150.0)).unwrap(),
-    }
+        "prolate150" => Ellipsoid::new(T::of(6.4e6), T::of(-1.0 / 150.0)).unwrap(),
+        other => panic!("no ellipsoid {other}"),
+    };
+    Conversion::new(ellipsoid, from, to).unwrap()
 }
 
-/// The largest error over all files: of angles in radians, and of the isometric latitude relative to it (or to 1).
-fn worst<T: Scalar>() -> [f64; 4] {
-    let mut worst = [0.0_f64; 4];
-    for name in ELLIPSOIDS {
-        for &to in &Latitude::ALL[1..] {
-            let conversion = Conversion::new(ellipsoid::<T>(name), Latitude::Geodetic, to).unwrap();
-            for (file, radian) in [
-                (format!("auxlat_{name}_deg"), 1f64.to_radians()),
-                (format!("auxlat_{name}_rad"), 1.0),
-            ] {
-                let truth = Truth::read(&file);
+#[derive(Default)]
+struct Worst {
+    /// Of an angle from the geodetic latitude, in radians.
+    angle: f64,
+    /// Of the isometric latitude, relative to it or to 1.
+    isometric: f64,
+    /// Of any of them below 0.1 in its unit, in ulp.
+    tiny: f64,
+    /// Of the geodetic latitude from any of them, in radians.
+    geodetic: f64,
+}
+
+fn worst<T: Scalar>() -> Worst {
+    let mut worst = Worst::default();
+    for ellipsoid in ELLIPSOIDS {
+        for (unit, radian) in [("deg", 1f64.to_radians()), ("rad", 1.0)] {
+            let truth = Truth::read(&format!("auxlat_{ellipsoid}_{unit}"));
+            for &to in &Latitude::ALL[1..] {
+                let conversion = conversion::<T>(ellipsoid, Latitude::Geodetic, to);
                 for row in truth.exact_in::<T>(&["phi"]) {
-                    let phi: T = row.input("phi");
-                    let value = if radian == 1.0 {
-                        conversion.radians(phi)
-                    } else {
+                    let phi = row.input("phi");
+                    let value = if unit == "deg" {
                         conversion.degrees(phi)
+                    } else {
+                        conversion.radians(phi)
                     }
                     .unwrap();
-                    let which = if to == Latitude::Isometric { 1 } else { 0 };
-                    let error = if which == 1 && row.value("isometric").is_infinite() {
-                        if value.into() == row.value("isometric") {
-                            0.0
-                        } else {
-                            1e9
-                        }
-                    } else if which == 1 {
-                        row.error(to.name(), value) / row.value("isometric").abs().max(1.0)
-                    } else {
-                        row.error(to.name(), value) * radian
-                    };
-                    if error > worst[which] && std::env::var("SHOW").is_ok() {
-                        println!("{} {file} {to} {phi} {error}", T::NAME);
+                    let expected = row.value(to.name());
+                    if expected.is_infinite() {
+                        assert_eq!(value.into(), expected, "{ellipsoid} {to} {phi:?}");
+                        continue;
                     }
-                    worst[which] = worst[which].max(error);
-                    let tiny = row.value(to.name()).abs() < 0.1 && row.value("phi").abs() > 1e-290;
-                    if tiny {
-                        if row.value("phi").abs() > 1e-290 && row.ulps(to.name(), value) > 3.0 {
-                            println!(
-                                "TINY {} {to} {} {:?} {}",
-                                T::NAME,
-                                row.text("phi"),
-                                value,
-                                row.text(to.name())
-                            );
-                        }
-                        worst[2] = worst[2].max(row.ulps(to.name(), value));
+                    let error = row.error(to.name(), value);
+                    if to == Latitude::Isometric {
+                        worst.isometric = worst.isometric.max(error / expected.abs().max(1.0));
+                    } else {
+                        worst.angle = worst.angle.max(error * radian);
+                    }
+                    // Down to where products with the latitude become subnormal.
+                    if (1e-290..0.1).contains(&expected.abs()) && expected.abs() > 1e20 * f64::from(f32::MIN_POSITIVE) {
+                        worst.tiny = worst.tiny.max(row.ulps(to.name(), value));
                     }
                 }
             }
         }
-        let truth = Truth::read(&format!("auxlat_inverse_{name}_rad"));
+        let truth = Truth::read(&format!("auxlat_inverse_{ellipsoid}_rad"));
         for row in truth.exact_in::<T>(&["value"]) {
-            let from: Latitude = row.text("kind").parse().unwrap();
-            let conversion = Conversion::new(ellipsoid::<T>(name), from, Latitude::Geodetic).unwrap();
-            let e = row.error("phi", conversion.radians(row.input::<T>("value")).unwrap());
-            if e > worst[3] && std::env::var("SHOW").is_ok() {
-                println!("{} {name} inverse {from} {} {e}", T::NAME, row.text("value"));
-            }
-            worst[3] = worst[3].max(e);
+            let conversion = conversion::<T>(ellipsoid, row.text("kind").parse().unwrap(), Latitude::Geodetic);
+            let error = row.error("phi", conversion.radians(row.input("value")).unwrap());
+            worst.geodetic = worst.geodetic.max(error);
         }
     }
     worst
 }
 
 #[test]
-fn latitudes() {
-    let (d, s) = (worst::<f64>(), worst::<f32>());
-    for (i, what) in ["latitude", "isometric", "tiny ulps", "inverse"].iter().enumerate() {
-        hold(what, d[i], s[i]);
+fn latitudes_are_as_accurate_as_claimed() {
+    let (double, single) = (worst::<f64>(), worst::<f32>());
+    hold("latitude of a geodetic one", [double.angle, single.angle]);
+    hold("geodetic latitude of another", [double.geodetic, single.geodetic]);
+    hold(
+        "isometric latitude, relative to 1 or more",
+        [double.isometric, single.isometric],
+    );
+    hold("latitudes below 0.1, relative", [double.tiny, single.tiny]);
+}
+
+#[test]
+fn every_pair_closes() {
+    for ellipsoid in ELLIPSOIDS {
+        for &from in Latitude::ALL {
+            for &to in Latitude::ALL {
+                let (there, back) = (
+                    conversion::<f64>(ellipsoid, from, to),
+                    conversion::<f64>(ellipsoid, to, from),
+                );
+                for i in -30..=30_i32 {
+                    let x = f64::from(i) * 0.05;
+                    let y = back.radians(there.radians(x).unwrap()).unwrap();
+                    assert!((y - x).abs() < 1e-15, "{ellipsoid} {from} {to} {x}: {y}");
+                }
+            }
+        }
+    }
+}
+
+/// The closed forms hold as far as they are offered.
+#[test]
+fn geocentric_and_parametric_at_the_extremes() {
+    for f in [-1.0, 0.5] {
+        let ellipsoid = Ellipsoid::new(1.0, f).unwrap();
+        for (kind, ratio) in [
+            (Latitude::Geocentric, (1.0 - f) * (1.0 - f)),
+            (Latitude::Parametric, 1.0 - f),
+        ] {
+            let there = Conversion::new(ellipsoid, Latitude::Geodetic, kind).unwrap();
+            let back = Conversion::new(ellipsoid, kind, Latitude::Geodetic).unwrap();
+            for i in -89..=89_i32 {
+                let phi = f64::from(i);
+                let expected = (ratio * phi.to_radians().tan()).atan().to_degrees();
+                let angle = there.degrees(phi).unwrap();
+                assert!((angle - expected).abs() < 4e-14, "{kind} {f} {phi}: {angle} {expected}");
+                assert!((back.degrees(angle).unwrap() - phi).abs() < 1e-13);
+            }
+        }
     }
 }

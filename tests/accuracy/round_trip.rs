@@ -1,90 +1,128 @@
-//! LatLon → FacePoint → LatLon.
+//! Latitude and longitude to a direction or a place on the cube, and back.
 
 use rayon::prelude::*;
-use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection};
+use terrella::cube::{CubeMap, Face, FacePoint, Projection};
 use terrella::{Ellipsoid, LatLon, Shift};
 
+use crate::table::hold;
 use crate::truth::Scalar;
 
-/// Latitude and longitude, half of them where something could go wrong.
-fn place(rng: &mut fastrand::Rng, map: &CubeMap<f64, Projection>) -> (f64, f64) {
-    let signed = |rng: &mut fastrand::Rng| 2.0 * rng.f64() - 1.0;
-    let close = |rng: &mut fastrand::Rng| 10f64.powf(-16.0 * rng.f64()) * signed(rng);
+/// A number in [−1, 1] of any magnitude down to 1e-16.
+fn tiny(rng: &mut fastrand::Rng) -> f64 {
+    10f64.powf(-16.0 * rng.f64()) * signed(rng)
+}
+
+fn signed(rng: &mut fastrand::Rng) -> f64 {
+    2.0 * rng.f64() - 1.0
+}
+
+/// A number near ±1.
+fn nearly_one(rng: &mut fastrand::Rng) -> f64 {
+    (1.0 - tiny(rng).abs()).copysign(signed(rng))
+}
+
+/// A place on the Earth: four in ten anywhere, the others near poles, equator, antimeridian, and the faces' edges, corners,
+/// diagonals and centres.
+fn place(rng: &mut fastrand::Rng, map: &CubeMap<f64, Projection>) -> [f64; 2] {
     match rng.u8(0..10) {
-        0..4 => (signed(rng).asin().to_degrees(), 180.0 * signed(rng)),
-        4 => (
-            (90.0 - close(rng).abs() * 90.0).copysign(signed(rng)),
-            180.0 * signed(rng),
-        ),
-        5 => (close(rng) * 90.0, 180.0 * signed(rng)),
-        6 => (
-            90.0 * signed(rng),
-            (180.0 - close(rng).abs() * 180.0).copysign(signed(rng)),
-        ),
-        7 => (
-            90.0 * signed(rng),
-            45.0 * f64::from(rng.i32(-4..=4)) * (1.0 - close(rng).abs()),
-        ),
-        kind => {
-            let face = Face::ALL[rng.usize(0..6)];
-            let edge = (1.0 - close(rng).abs()).copysign(signed(rng));
-            let (x, y) = match rng.u8(0..4) {
-                0 => (edge, signed(rng)),
-                1 => (edge, (1.0 - close(rng).abs()).copysign(signed(rng))),
-                2 => {
-                    let s = signed(rng);
-                    (s, s * (1.0 - close(rng)))
+        0..4 => [signed(rng).asin().to_degrees(), 180.0 * signed(rng)],
+        4 => [90.0 * nearly_one(rng), 180.0 * signed(rng)],
+        5 => [90.0 * tiny(rng), 180.0 * signed(rng)],
+        6 => [90.0 * signed(rng), 180.0 * nearly_one(rng)],
+        7 => [90.0 * signed(rng), 45.0 * f64::from(rng.i32(-4..=4)) * nearly_one(rng)],
+        _ => {
+            let (x, y) = match rng.u8(0..5) {
+                0 => (nearly_one(rng), signed(rng)),
+                1 => (signed(rng), nearly_one(rng)),
+                2 => (nearly_one(rng), nearly_one(rng)),
+                3 => {
+                    let x = signed(rng);
+                    (x, x * nearly_one(rng))
                 }
-                _ => (close(rng), close(rng)),
+                _ => (tiny(rng), tiny(rng)),
             };
-            let (x, y) = if kind == 8 { (x, y) } else { (y, x) };
-            let p = map.unproject(FacePoint::new(face, x.clamp(-1.0, 1.0), y.clamp(-1.0, 1.0)).unwrap());
-            (p.lat(), p.lon())
+            let point = map.unproject(FacePoint::new(Face::ALL[rng.usize(0..6)], x, y).unwrap());
+            [point.lat(), point.lon()]
         }
     }
 }
 
-/// The largest displacement in metres.
-fn worst<T: Scalar>(projection: Projection, shift: Shift, points: usize, lower: fn(f64) -> T) -> (f64, f64, f64) {
+/// Metres on the Earth between two places that are nearly the same.
+fn metres<T: Scalar>(a: LatLon<T>, b: LatLon<T>) -> f64 {
+    let lat = b.lat().into() - a.lat().into();
+    let lon = (b.lon().into() - a.lon().into() + 540.0).rem_euclid(360.0) - 180.0;
+    6_378_137.0 * lat.hypot(lon * a.lat().into().to_radians().cos()).to_radians()
+}
+
+/// The largest displacement of a number of points.
+fn worst<T: Scalar>(projection: Projection, shift: Shift, points: usize, round: fn(f64) -> T) -> f64 {
     let places = CubeMap::new(Ellipsoid::<f64>::wgs84(), shift, projection).unwrap();
     let map = CubeMap::new(Ellipsoid::<T>::wgs84(), shift, projection).unwrap();
-    let mut rng = fastrand::Rng::with_seed(4);
-    let mut worst = (0.0, 0.0, 0.0);
+    let mut rng = fastrand::Rng::with_seed(3);
+    let mut worst = 0.0;
     for _ in 0..points {
-        let (lat, lon) = place(&mut rng, &places);
-        let there = LatLon::new(lower(lat), lower(lon)).unwrap();
-        let back = map.unproject(map.project(there));
-        let dlat = back.lat().into() - there.lat().into();
-        let dlon = (back.lon().into() - there.lon().into() + 540.0).rem_euclid(360.0) - 180.0;
-        let d = 6_378_137.0 * dlat.hypot(dlon * lat.to_radians().cos()).to_radians();
-        if d > worst.0 || d.is_nan() {
-            worst = (d, there.lat().into(), there.lon().into());
-        }
+        let [lat, lon] = place(&mut rng, &places).map(round);
+        let there = LatLon::new(lat, lon).unwrap();
+        let error = metres(there, map.unproject(map.project(there)));
+        // Not f64::max, which would drop a NaN.
+        worst = if error <= worst { worst } else { error };
     }
     worst
 }
 
-#[test]
-fn round_trips() {
-    let n: usize = std::env::var("N").ok().and_then(|s| s.parse().ok()).unwrap_or(20_000);
-    let cases: Vec<_> = Projection::ALL
+/// Every projection that closes (COBE's published pair does not) with every shift.
+fn round_trips(points: usize) {
+    let closing = Projection::ALL
         .iter()
-        .filter(|&&p| p != Projection::Cobe)
-        .flat_map(|&p| Shift::ALL.iter().map(move |&s| (p, s)))
-        .collect();
-    let results: Vec<_> = cases
-        .par_iter()
-        .map(|&(p, s)| (p, s, worst::<f64>(p, s, n, |v| v), worst::<f32>(p, s, n, |v| v as f32)))
-        .collect();
-    for (p, s, d, f) in results {
-        println!(
-            "{p:18} {s:12} {:.2} nm ({:.4} {:.4}) {:.2} m ({:.4} {:.4})",
-            d.0 * 1e9,
-            d.1,
-            d.2,
-            f.0,
-            f.1,
-            f.2
-        );
+        .filter(|&&projection| projection != Projection::Cobe);
+    let cases: Vec<_> = closing.flat_map(|&p| Shift::ALL.iter().map(move |&s| (p, s))).collect();
+    let measure = |&(p, s): &_| {
+        (
+            p,
+            s,
+            [
+                worst::<f64>(p, s, points, |v| v),
+                worst::<f32>(p, s, points, |v| v as f32),
+            ],
+        )
+    };
+    let measured: Vec<_> = cases.par_iter().map(measure).collect();
+    for (projection, shift, [double, single]) in &measured {
+        println!("{projection} {shift}: {:.2} nm, {single:.2} m", double * 1e9);
     }
+    let largest = |i: usize| measured.iter().map(|(_, _, errors)| errors[i]).fold(0.0, f64::max);
+    hold(
+        "LatLon to FacePoint and back, any projection and shift",
+        [largest(0), largest(1)],
+    );
+}
+
+#[test]
+fn cube_round_trips() {
+    round_trips(10_000);
+}
+
+/// `cargo test --release --test accuracy -- --ignored --nocapture`: some minutes on two cores.
+#[test]
+#[ignore = "10⁷ points for every projection and shift"]
+fn cube_round_trips_ten_million() {
+    round_trips(10_000_000);
+}
+
+#[test]
+fn direction_round_trips() {
+    fn worst<T: Scalar>(round: fn(f64) -> T) -> f64 {
+        let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Geodetic, Projection::Tangential).unwrap();
+        let mut rng = fastrand::Rng::with_seed(5);
+        let errors = (0..200_000).map(|_| {
+            let [lat, lon] = place(&mut rng, &map).map(round);
+            let there = LatLon::new(lat, lon).unwrap();
+            metres(there, there.to_direction().to_lat_lon())
+        });
+        errors.fold(0.0, |worst, error| if error <= worst { worst } else { error })
+    }
+    hold(
+        "LatLon to Direction and back",
+        [worst::<f64>(|v| v), worst::<f32>(|v| v as f32)],
+    );
 }
