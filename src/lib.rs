@@ -1,4 +1,38 @@
-//! terrella
+//! A little Earth: from latitude and longitude on an ellipsoid to a sphere, and on to the faces of a cube and back.
+//!
+//! ```text
+//! LatLon ──shift──▶ Direction ──project──▶ FacePoint
+//! (degrees on       (unit vector,          (face, x, y)
+//!  the ellipsoid)    Earth axes)
+//! ```
+//!
+//! `no_std`, without allocation, generic over `f32` and `f64`, from `+ − × ÷ √` alone: the same input gives the same bits on every machine. What
+//! can be wrong is refused by a constructor with an error that carries the value; past that nothing fails.
+//!
+//! | room | what is in it |
+//! |---|---|
+//! | [`LatLon`], [`Direction`] | where something is |
+//! | [`Ellipsoid`] | the size and shape of a planet |
+//! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from ellipsoid to sphere |
+//! | [`cube`] | faces, points on them, sixteen projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
+//! | [`math`] | the kernels under all of it |
+//! | [`Real`] | the scalar |
+//!
+//! ```
+//! use terrella::cube::{CubeMap, Face, Projection};
+//! use terrella::{Ellipsoid, LatLon, Shift};
+//!
+//! let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Vertex)?;
+//! let quito = LatLon::new(-0.18, -78.47)?;
+//! let point = map.project(quito);
+//! assert_eq!(point.face(), Face::Left);
+//! assert!((map.unproject(point).lon() - quito.lon()).abs() < 3e-14);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Features: `std` (default) takes the hardware's square root, with the same results; `glam`, `defmt` and `serde` add conversions and derived
+//! implementations. The README has the table of worst errors.
+
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod cube;
@@ -13,3 +47,7 @@ pub use ellipsoid::{Ellipsoid, InvalidEllipsoid, NAMED};
 pub use latitude::{Latitude, Shift, Shifted};
 pub use position::{Direction, InvalidDirection, InvalidLatLon, LatLon};
 pub use real::Real;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -4,7 +4,8 @@ use crate::math::{QUAD_M, QUAD_T, odd_unit, select};
 
 /// The quadrilateralized cube, QSC: equal-area, with creases along the diagonals.
 ///
-/// Chan & O'Neill (1975); the same map as Snyder's cube and as Roşca & Plonka's. Dimitrijević, Lambers & Rančić (2016) §4.5.
+/// O'Neill & Laubscher (1976), after Chan & O'Neill (1975); the same map as Snyder's cube and as Roşca & Plonka's.
+/// Dimitrijević, Lambers & Rančić (2016) §4.5.
 ///
 /// With t = min/max of the gnomonic coordinates, q = √(2 + t²) and ρ = √(1 + u² + v²) the longer coordinate is
 /// x = u·√(q(q + 1)/(ρ(ρ + 1))), the shorter x·m(t), with m one odd function of one variable.

@@ -1,7 +1,7 @@
 use super::{CubeProjection, Face, normalise};
 use crate::Real;
 
-/// The square cube: texels as square as Outerra's, aspect ratio 1.013, with an area ratio of 1.89 instead of 3.09.
+/// The square cube: texels as square as Outerra's, aspect ratio 1.013, whose width times height varies by 1.89 instead of 3.09.
 ///
 /// Found by minimax search over polynomial maps (x·A(x, y), y·A(y, x), Z(x, y)).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
