@@ -10,6 +10,7 @@
 mod cube;
 mod kernels;
 mod latitude;
+mod position;
 mod round_trip;
 mod table;
 mod truth;

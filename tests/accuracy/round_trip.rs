@@ -108,21 +108,3 @@ fn cube_round_trips() {
 fn cube_round_trips_ten_million() {
     round_trips(10_000_000);
 }
-
-#[test]
-fn direction_round_trips() {
-    fn worst<T: Scalar>(round: fn(f64) -> T) -> f64 {
-        let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Geodetic, Projection::Tangential).unwrap();
-        let mut rng = fastrand::Rng::with_seed(5);
-        let errors = (0..200_000).map(|_| {
-            let [lat, lon] = place(&mut rng, &map).map(round);
-            let there = LatLon::new(lat, lon).unwrap();
-            metres(there, there.to_direction().to_lat_lon())
-        });
-        errors.fold(0.0, |worst, error| if error <= worst { worst } else { error })
-    }
-    hold(
-        "LatLon to Direction and back",
-        [worst::<f64>(|v| v), worst::<f32>(|v| v as f32)],
-    );
-}

@@ -219,26 +219,43 @@ def cbrt(rng):
     write("cbrt", "Cube root, x from 0 to 1e300, many in [1e-3, 1]", f"cube closes to {closure} (relative).", ["x", "cbrt", "class"], rows)
 
 
-def quadcube(rng):
-    pi, root2 = mp.pi, mp.sqrt(2)
-    m_of_t = lambda t: 12 / pi * (mp.atan(t) - mp.atan(t / mp.sqrt(2 + t * t)))
-    t_of_m = lambda m: mp.sin(pi * m / 12) / (mp.cos(pi * m / 12) - 1 / root2)
-    ones = lambda f: lambda x: x if abs(x) == 1 else f(x)  # m(1) = 1 exactly
-
-    def inputs():
-        u = lambda r: r.uniform(-1, 1)
-        rows = tag([u(rng) for _ in range(175)], "uniform") + tag(TINY, "tiny") + tag([0, 1, -1], "exact")
-        rows += tag([rng.choice((-1, 1)) * x for m in (1, 0.5, 0.25) for _ in range(4) for x in around(rng, m) if x < 1], "near")
-        return rows + f32_rows(rng, u, 60)
-    one, close1 = table(inputs(), ones(m_of_t), t_of_m)
-    two, close2 = table(inputs(), ones(t_of_m), m_of_t)
-    write("quadcube", "The two functions of the quadrilateralized cube: m(t) = 12/pi (atan t - atan(t / sqrt(2 + t^2))) "
-          "and its inverse t(m) = sin(pi m/12) / (cos(pi m/12) - 1/sqrt 2), in [-1, 1]",
-          f"t(m(t)) closes to {close1}, m(t(m)) to {close2} (relative).", ["kind", "input", "output", "class"],
-          [["m_of_t", *r] for r in one] + [["t_of_m", *r] for r in two])
+def places(rng):
+    """Latitude and longitude in degrees, near and far from poles, equator, antimeridian and the multiples of 45."""
+    lat, lon = lambda: math.degrees(math.asin(rng.uniform(-1, 1))), lambda: rng.uniform(-180, 180)
+    rows = [(lat(), lon(), "uniform") for _ in range(150)]
+    for _ in range(40):
+        d = 10.0 ** rng.uniform(-14, -1)
+        rows += [(rng.choice((-1, 1)) * (90 - d), lon(), "pole"), (rng.choice((-1, 1)) * d, lon(), "equator"),
+                 (lat(), rng.choice((-1, 1)) * (180 - d), "antimeridian"), (lat(), 45 * rng.randint(-3, 3) + d, "near")]
+    return rows + [(f32(lat()), f32(lon()), "f32") for _ in range(80)]
 
 
-KERNELS = {f.__name__: f for f in (sin_cos_degrees, sin_cos, tan, atan, atan2, cbrt, quadcube)}
+def direction(rng):
+    rows, differences = [], []
+    for lat, lon, cls in places(rng):
+        p, q = mp.radians(mpf(lat)), mp.radians(mpf(lon))
+        x, y, z = mp.cos(p) * mp.cos(q), mp.cos(p) * mp.sin(q), mp.sin(p)
+        differences.append(abs(x * x + y * y + z * z - 1))
+        rows.append([decimal(lat), decimal(lon), digits(x), digits(y), digits(z), cls])
+    write("direction", "Unit vector (x, y, z) of latitude and longitude in degrees; x through 0 N 0 E, y through 0 N 90 E, z north",
+          f"of unit length to {worst(differences)}.", ["lat", "lon", "x", "y", "z", "class"], rows)
+
+
+def lat_lon(rng):
+    rows, differences = [], []
+    for lat, lon, cls in places(rng):
+        lat, lon = math.radians(lat), math.radians(lon)
+        vector = [math.cos(lat) * math.cos(lon), math.cos(lat) * math.sin(lon), math.sin(lat)]
+        x, y, z = (mpf(f32(v) if cls == "f32" else v) for v in vector)
+        p, q = mp.atan2(z, mp.hypot(x, y)), mp.atan2(y, x)
+        r = mp.sqrt(x * x + y * y + z * z)
+        differences.append(max(abs(r * mp.cos(p) * mp.cos(q) - x), abs(r * mp.sin(p) - z)))
+        rows.append([decimal(x), decimal(y), decimal(z), digits(mp.degrees(p)), digits(mp.degrees(q)), cls])
+    write("lat_lon", "Latitude and longitude in degrees of the direction (x, y, z), which has unit length only up to rounding",
+          f"cosines and sines give the vector back to {worst(differences)}.", ["x", "y", "z", "lat", "lon", "class"], rows)
+
+
+KERNELS = {f.__name__: f for f in (sin_cos_degrees, sin_cos, tan, atan, atan2, cbrt, direction, lat_lon)}
 
 if __name__ == "__main__":
     for name in sys.argv[1:] or KERNELS:
