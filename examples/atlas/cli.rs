@@ -8,6 +8,8 @@ use clap::{Parser, value_parser};
 use terrella::cube::Projection;
 use terrella::{Ellipsoid, NAMED, Shift};
 
+use crate::ellipsoid;
+
 /// What the command line asks for.
 pub enum Request {
     /// An atlas.
@@ -42,8 +44,8 @@ struct Arguments {
     #[arg(long, value_name = "NAME", help = choice(SHIFT, Shift::ALL), default_value_t = Shift::default())]
     shift: Shift,
 
-    #[arg(long, value_name = "NAME", help = choice(ELLIPSOID, NAMED), default_value = "wgs84", value_parser = ellipsoid)]
-    ellipsoid: (String, Ellipsoid<f64>),
+    #[arg(long, value_name = "NAME", help = choice(ELLIPSOID, NAMED), default_value = "wgs84")]
+    ellipsoid: String,
 
     #[arg(long, value_name = "N", help = SIZE, default_value_t = 512, value_parser = value_parser!(u32).range(64..=2048))]
     size: u32,
@@ -104,7 +106,6 @@ pub fn parse() -> Result<Request, String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let data = root.join("examples").join("data");
     let asked = |p: &Projection| arguments.projections.is_empty() || arguments.projections.contains(p);
-    let (ellipsoid_name, ellipsoid) = arguments.ellipsoid;
     Ok(Request::Atlas(Options {
         input: arguments
             .input
@@ -112,35 +113,14 @@ pub fn parse() -> Result<Request, String> {
         coastline: data.join("land-110m.tsv"),
         projections: Projection::ALL.iter().copied().filter(asked).collect(),
         shift: arguments.shift,
-        ellipsoid,
-        ellipsoid_name,
+        ellipsoid: ellipsoid::parse(&arguments.ellipsoid).map_err(|why| {
+            format!(
+                "invalid value '{}' for '--ellipsoid <NAME>': {why}",
+                arguments.ellipsoid
+            )
+        })?,
+        ellipsoid_name: arguments.ellipsoid,
         size: arguments.size,
         out: arguments.out.unwrap_or_else(|| root.join("target").join("atlas")),
     }))
-}
-
-/// An ellipsoid by name or as `A,F`, along with what it was called.
-fn ellipsoid(text: &str) -> Result<(String, Ellipsoid<f64>), String> {
-    let ellipsoid = match text.split_once(',') {
-        None => Ellipsoid::named(text).ok_or_else(|| {
-            format!(
-                "unknown ellipsoid; known are {}; others are given as A,F",
-                NAMED.join(" ")
-            )
-        })?,
-        Some((a, f)) => Ellipsoid::new(number(a)?, number(f)?).map_err(|error| error.to_string())?,
-    };
-    Ok((text.to_owned(), ellipsoid))
-}
-
-/// A number or a fraction of two.
-fn number(text: &str) -> Result<f64, String> {
-    let plain = |part: &str| {
-        let part = part.trim();
-        part.parse::<f64>().map_err(|_| format!("`{part}` is not a number"))
-    };
-    match text.split_once('/') {
-        Some((above, below)) => Ok(plain(above)? / plain(below)?),
-        None => plain(text),
-    }
 }

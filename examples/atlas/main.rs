@@ -8,6 +8,8 @@
 mod catalogue;
 mod cli;
 mod cross;
+#[path = "../options/ellipsoid.rs"]
+mod ellipsoid;
 mod geography;
 mod globe;
 mod imagery;

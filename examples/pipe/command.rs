@@ -98,7 +98,7 @@ pub struct Latitudes {
 /// The ellipsoid, of which the chosen precision is made later.
 #[derive(Args)]
 pub struct Planet {
-    #[arg(long, value_name = "NAME|A,F", default_value = "wgs84", value_parser = ellipsoid, help = planets())]
+    #[arg(long, value_name = "NAME|A,F", default_value = "wgs84", value_parser = crate::ellipsoid::parse, help = planets())]
     pub ellipsoid: Ellipsoid<f64>,
 }
 
@@ -117,26 +117,6 @@ where
     K: FromStr<Err: Error + Send + Sync> + Clone + Send + Sync + 'static,
 {
     PossibleValuesParser::new(names).try_map(|name| name.parse())
-}
-
-/// Reads `NAME` or `A,F`.
-fn ellipsoid(text: &str) -> Result<Ellipsoid<f64>, String> {
-    if let Some((a, f)) = text.split_once(',') {
-        return Ellipsoid::new(number(a)?, ratio(f)?).map_err(|e| e.to_string());
-    }
-    Ellipsoid::named(text).ok_or_else(|| format!("neither A,F nor one of {}", NAMED.join(", ")))
-}
-
-/// Reads a number or a fraction.
-fn ratio(text: &str) -> Result<f64, String> {
-    match text.split_once('/') {
-        Some((above, below)) => Ok(number(above)? / number(below)?),
-        None => number(text),
-    }
-}
-
-fn number(text: &str) -> Result<f64, String> {
-    text.trim().parse().map_err(|_| format!("{text:?} is not a number"))
 }
 
 /// Prints the help that was asked for, or what is wrong, in one line; gives the exit code.

@@ -11,6 +11,8 @@
 //! variant in `command.rs` and one arm in `operation.rs`.
 
 mod command;
+#[path = "../options/ellipsoid.rs"]
+mod ellipsoid;
 mod lines;
 mod operation;
 mod row;

@@ -1,0 +1,31 @@
+//! The `--ellipsoid` option, for every example that has it.
+
+use terrella::{Ellipsoid, NAMED};
+
+/// Reads a name, or `A,F` with a number or a fraction for F.
+///
+/// # Errors
+/// What is wrong, in one line.
+pub fn parse(text: &str) -> Result<Ellipsoid<f64>, String> {
+    match text.split_once(',') {
+        Some((a, f)) => Ellipsoid::new(number(a)?, ratio(f)?).map_err(|error| error.to_string()),
+        None => Ellipsoid::named(text).ok_or_else(|| {
+            format!(
+                "unknown ellipsoid; known are {}; others are given as A,F",
+                NAMED.join(" ")
+            )
+        }),
+    }
+}
+
+/// Reads a number or a fraction of two.
+fn ratio(text: &str) -> Result<f64, String> {
+    match text.split_once('/') {
+        Some((above, below)) => Ok(number(above)? / number(below)?),
+        None => number(text),
+    }
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    text.trim().parse().map_err(|_| format!("{text:?} is not a number"))
+}

@@ -1,0 +1,113 @@
+//! Scalars, and inputs of every kind: everywhere, on and next to edges, corners, diagonals and centres, and tiny.
+
+use std::fmt::Debug;
+
+use fastrand::Rng;
+use rayon::prelude::*;
+use terrella::cube::{Face, Projection};
+use terrella::{Direction, Real};
+
+/// A scalar under test.
+pub trait Scalar: Real + Into<f64> + Debug {
+    const NAME: &'static str;
+    /// The smallest positive number.
+    const SMALLEST: Self;
+    /// The smallest positive normal number.
+    const SMALLEST_NORMAL: Self;
+    /// The next larger number.
+    fn above(self) -> Self;
+    /// The next smaller number.
+    fn below(self) -> Self;
+    /// The bits, to tell zeros and NaNs apart.
+    fn bits(self) -> u64;
+}
+
+macro_rules! scalar {
+    ($($float:ident)*) => {$(
+        impl Scalar for $float {
+            const NAME: &'static str = stringify!($float);
+            const SMALLEST: Self = $float::from_bits(1);
+            const SMALLEST_NORMAL: Self = $float::MIN_POSITIVE;
+            fn above(self) -> Self {
+                self.next_up()
+            }
+            fn below(self) -> Self {
+                self.next_down()
+            }
+            fn bits(self) -> u64 {
+                self.to_bits().into()
+            }
+        }
+    )*};
+}
+scalar!(f32 f64);
+
+/// Runs a check of a projection for all of them.
+pub fn every_projection(check: impl Fn(Projection) + Sync) {
+    Projection::ALL.par_iter().for_each(|&projection| check(projection));
+}
+
+/// |a − b| in ulps of the numbers in [½, 1): halves of [`Real::EPSILON`].
+pub fn ulps<T: Scalar>(a: T, b: T) -> f64 {
+    (a.into() - b.into()).abs() / (0.5 * T::EPSILON.into())
+}
+
+/// A number in [−1, 1).
+pub fn signed(rng: &mut Rng) -> f64 {
+    2.0 * rng.f64() - 1.0
+}
+
+/// A number in (0, 1], evenly distributed in its logarithm down to 1e-18.
+pub fn small(rng: &mut Rng) -> f64 {
+    10f64.powf(-18.0 * rng.f64())
+}
+
+/// Numbers in [−1, 1]: 0, 1, tiny ones, the neighbours of 1, and `random` of either sign from everywhere, next to 0 and next to 1.
+pub fn coordinates<T: Scalar>(seed: u64, random: usize) -> Vec<T> {
+    let mut rng = Rng::with_seed(seed);
+    let one = T::ONE;
+    let mut numbers = vec![
+        T::ZERO,
+        one,
+        T::SMALLEST,
+        T::SMALLEST_NORMAL,
+        T::EPSILON,
+        one.below(),
+        one.below().below(),
+        one - T::of(4.0) * T::EPSILON,
+        T::of(0.25),
+        T::of(0.5),
+        T::of(1.0 / 3.0),
+        T::of(2.0 / 3.0),
+    ];
+    for _ in 0..random.div_ceil(3) {
+        numbers.extend([rng.f64(), small(&mut rng), 1.0 - small(&mut rng)].map(T::of));
+    }
+    numbers.into_iter().flat_map(|s| [s, -s]).collect()
+}
+
+/// Directions over the sphere, a good part of them where something could go wrong.
+pub fn directions<T: Scalar>(seed: u64, count: usize) -> impl Iterator<Item = Direction<T>> {
+    let mut rng = Rng::with_seed(seed);
+    (0..count).map(move |i| {
+        let rng = &mut rng;
+        let (major, minor) = match i % 8 {
+            0 => (rng.f64(), signed(rng)),
+            1 => (1.0 - small(rng), signed(rng)), // an edge
+            2 => (1.0 - small(rng), 1.0 - small(rng)), // a corner
+            3 => {
+                let s = rng.f64();
+                (s, s * (1.0 - small(rng))) // a diagonal
+            }
+            4 => (small(rng), small(rng)), // the centre
+            5 => (rng.f64(), small(rng)),  // a midline
+            6 => (rng.f64(), T::SMALLEST.into() * f64::from(rng.u8(0..5))),
+            _ => (1.0, [1.0, 0.0, rng.f64(), T::SMALLEST.into()][rng.usize(0..4)]),
+        };
+        let sign = |v: f64, negative: bool| T::of(if negative { -v } else { v });
+        let (a, b) = (sign(major, rng.bool()), sign(minor, rng.bool()));
+        let (u, v) = if rng.bool() { (a, b) } else { (b, a) };
+        let [x, y, z] = Face::ALL[rng.usize(0..6)].to_earth([u, v, T::ONE]);
+        Direction::new(x, y, z).unwrap()
+    })
+}

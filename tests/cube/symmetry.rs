@@ -1,0 +1,111 @@
+//! The symmetries of the face, in every bit: a mirrored or swapped input is a mirrored or swapped output.
+//!
+//! Zeros of either sign are equal. The side faces of Healpix have only the mirrors.
+
+use terrella::cube::{CubeProjection, Face, Projection};
+
+use crate::sample::{Scalar, coordinates, directions, every_projection, ulps};
+
+/// How far, in ulps of 1 (halves of `T::EPSILON`), swapping right and up may differ from swapping x and y: forward, inverse.
+/// The mirrors are exact for all.
+const fn swap(projection: Projection) -> (f64, f64) {
+    match projection {
+        // A product of three factors, from the left.
+        Projection::Outerra => (2.0, 2.0),
+        Projection::Balanced => (1.0, 0.0),
+        // The product of the sum and the difference of uv.
+        Projection::Cartesian => (3.0, 0.0),
+        // On the diagonals, where x and y are computed differently.
+        Projection::Conformal => (2.0, 2.0),
+        _ => (0.0, 0.0),
+    }
+}
+
+fn swaps(projection: Projection, face: Face) -> bool {
+    projection != Projection::Healpix || face.is_polar()
+}
+
+fn forward<T: Scalar>(projection: Projection) {
+    for direction in directions::<T>(30, 40_000) {
+        let face = projection.face(direction);
+        let [right, up, outward] = face.to_local(direction.to_array());
+        let map = |right: T, up: T| projection.forward(face, [right, up, outward]);
+        let [x, y] = map(right, up);
+        let context = || format!("{projection} {}: {face:?} ({right:?}, {up:?}, {outward:?})", T::NAME);
+        assert_eq!(map(-right, up), [-x, y], "{}", context());
+        assert_eq!(map(right, -up), [x, -y], "{}", context());
+        assert_eq!(map(-right, -up), [-x, -y], "{}", context());
+        if swaps(projection, face) {
+            let [b, a] = map(up, right);
+            let allowed = swap(projection).0;
+            assert!(ulps(a, x) <= allowed && ulps(b, y) <= allowed, "{}: {a:?} {b:?}", context());
+        }
+    }
+}
+
+#[test]
+fn forward_has_the_symmetries_of_the_square() {
+    every_projection(|projection| {
+        forward::<f64>(projection);
+        forward::<f32>(projection);
+    });
+}
+
+fn inverse<T: Scalar>(projection: Projection) {
+    let numbers = coordinates::<T>(31, 150);
+    for face in [Face::Front, Face::Bottom] {
+        for &x in &numbers {
+            for &y in &numbers {
+                let map = |x: T, y: T| projection.inverse(face, [x, y]);
+                let [right, up, outward] = map(x, y);
+                let context = || format!("{projection} {}: {face:?} ({x:?}, {y:?})", T::NAME);
+                assert_eq!(map(-x, y), [-right, up, outward], "{}", context());
+                assert_eq!(map(x, -y), [right, -up, outward], "{}", context());
+                assert_eq!(map(-x, -y), [-right, -up, outward], "{}", context());
+                if swaps(projection, face) {
+                    let [b, a, c] = map(y, x);
+                    let allowed = swap(projection).1;
+                    assert!(
+                        ulps(a, right) <= allowed && ulps(b, up) <= allowed && ulps(c, outward) <= allowed,
+                        "{}: {a:?} {b:?} {c:?}",
+                        context()
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn inverse_has_the_symmetries_of_the_square() {
+    every_projection(|projection| {
+        inverse::<f64>(projection);
+        inverse::<f32>(projection);
+    });
+}
+
+/// Every face is the same map in its own frame; Healpix has one for the sides and one for the poles.
+fn faces_alike<T: Scalar>(projection: Projection) {
+    for direction in directions::<T>(32, 5000) {
+        let face = projection.face(direction);
+        let local = face.to_local(direction.to_array());
+        let point = projection.forward(face, local);
+        let vector = projection.inverse(face, point);
+        for other in Face::ALL {
+            if projection == Projection::Healpix && other.is_polar() != face.is_polar() {
+                continue;
+            }
+            let context = || format!("{projection} {}: {face:?} {other:?} {local:?}", T::NAME);
+            assert_eq!(projection.forward(other, local), point, "{}", context());
+            assert_eq!(projection.inverse(other, point), vector, "{}", context());
+        }
+    }
+}
+
+#[test]
+fn every_face_is_the_same_map() {
+    every_projection(|projection| {
+        faces_alike::<f64>(projection);
+        faces_alike::<f32>(projection);
+    });
+}
