@@ -33,9 +33,7 @@ const fn seam(projection: Projection) -> Seam {
 }
 
 fn direction<T: Scalar>(projection: Projection, face: Face, [x, y]: [T; 2]) -> [T; 3] {
-    projection
-        .unproject(FacePoint::new(face, x, y).unwrap())
-        .to_array()
+    projection.unproject(FacePoint::new(face, x, y).unwrap()).to_array()
 }
 
 fn apart<T: Scalar>(a: [T; 3], b: [T; 3]) -> f64 {
@@ -154,7 +152,12 @@ fn forward_meets<T: Scalar>(projection: Projection) {
             let (_, theirs) = across_and_along(there, neighbour.edge);
             // The edge runs backward on the neighbour, or does not: as `neighbour` says.
             let (_, same) = across_and_along(beyond(on_edge(edge, along), edge, neighbour.turns), neighbour.edge);
-            let context = || format!("{projection} {}: {face:?} {edge:?} {direction:?} {here:?} {there:?}", T::NAME);
+            let context = || {
+                format!(
+                    "{projection} {}: {face:?} {edge:?} {direction:?} {here:?} {there:?}",
+                    T::NAME
+                )
+            };
             assert!(ulps(across, T::ONE) <= allowed.across, "{}", context());
             assert!(ulps(same, theirs) <= allowed.along, "{}", context());
         }
@@ -242,10 +245,12 @@ fn healpix_parallels<T: Scalar>() {
             for s in coordinates::<T>(10, 3000) {
                 let here = on_edge(edge, s);
                 let there = beyond(here, edge, neighbour.turns);
-                for vector in [direction(projection, face, here), direction(projection, neighbour.face, there)] {
+                for vector in [
+                    direction(projection, face, here),
+                    direction(projection, neighbour.face, there),
+                ] {
                     for (face, edge, expected) in [(face, edge, here), (neighbour.face, neighbour.edge, there)] {
-                        let (across, along) =
-                            across_and_along(projection.forward(face, face.to_local(vector)), edge);
+                        let (across, along) = across_and_along(projection.forward(face, face.to_local(vector)), edge);
                         let (_, truth) = across_and_along(expected, edge);
                         assert!(
                             ulps(across, T::ONE) <= 4.0 && ulps(along, truth) <= 6.0,

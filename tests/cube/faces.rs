@@ -93,11 +93,7 @@ fn ties<T: Scalar>() {
                         moved[i] = step(moved[i]);
                         let [x, y, z] = moved;
                         let direction = Direction::new(x, y, z).unwrap();
-                        assert_eq!(
-                            direction.to_array(),
-                            moved,
-                            "a unit vector but for rounding is kept"
-                        );
+                        assert_eq!(direction.to_array(), moved, "a unit vector but for rounding is kept");
                         assert_eq!(Face::containing(direction), by_definition(moved), "{moved:?}");
                     }
                 }
@@ -170,7 +166,12 @@ fn healpix_border<T: Scalar>() {
             ] {
                 let radius = (T::ONE - height * height).sqrt();
                 let z = if north { height } else { -height };
-                let [x, y] = [[radius, T::ZERO], [T::ZERO, radius], [-radius, T::ZERO], [T::ZERO, -radius]][i];
+                let [x, y] = [
+                    [radius, T::ZERO],
+                    [T::ZERO, radius],
+                    [-radius, T::ZERO],
+                    [T::ZERO, -radius],
+                ][i];
                 let direction = Direction::new(x, y, z).unwrap();
                 assert_eq!(direction.z(), z, "kept");
                 assert_eq!(Healpix.face(direction), expected, "{direction:?}");

@@ -1,7 +1,9 @@
 //! The numberings of S2, OpenGL and FITS, against their own formulas typed from their own specifications.
 
 use terrella::Direction;
-use terrella::cube::{CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Numbering, Tangential};
+use terrella::cube::{
+    CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Numbering, Tangential,
+};
 
 use crate::sample::{Scalar, coordinates, directions};
 
@@ -107,7 +109,11 @@ fn there_and_back<T: Scalar>(numbering: Numbering) {
                 let back = numbering.from_point(number, a, b).unwrap();
                 assert_eq!(back, point, "{numbering:?}");
                 // A zero's sign survives too.
-                assert_eq!((back.x().bits(), back.y().bits()), (x.bits(), y.bits()), "{numbering:?} {point:?}");
+                assert_eq!(
+                    (back.x().bits(), back.y().bits()),
+                    (x.bits(), y.bits()),
+                    "{numbering:?} {point:?}"
+                );
                 let other = FacePoint::new(numbering.face(number).unwrap(), x, y).unwrap();
                 assert_eq!(
                     numbering.to_point(numbering.from_point(number, x, y).unwrap()),

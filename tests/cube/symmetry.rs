@@ -38,7 +38,11 @@ fn forward<T: Scalar>(projection: Projection) {
         if swaps(projection, face) {
             let [b, a] = map(up, right);
             let allowed = swap(projection).0;
-            assert!(ulps(a, x) <= allowed && ulps(b, y) <= allowed, "{}: {a:?} {b:?}", context());
+            assert!(
+                ulps(a, x) <= allowed && ulps(b, y) <= allowed,
+                "{}: {a:?} {b:?}",
+                context()
+            );
         }
     }
 }

@@ -1,0 +1,66 @@
+//! Distances and destinations: one method a file, all behind [`Geodesic`].
+
+use core::fmt;
+
+use crate::{LatLon, Real};
+
+/// A method that solves the two problems of geodesy.
+pub trait Geodesic<T: Real> {
+    /// From two places to the distance between them and the azimuths at both.
+    ///
+    /// # Errors
+    /// What the method's own documentation says.
+    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>>;
+
+    /// From a place, an azimuth in degrees and a distance in metres to where they lead; a negative distance goes backwards.
+    ///
+    /// # Errors
+    /// [`GeodesicError::Azimuth`] and [`GeodesicError::Distance`] for what is not finite; else what the method's own documentation says.
+    fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>>;
+}
+
+/// The solution of the inverse problem.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Inverse<T> {
+    /// The distance in metres.
+    pub distance: T,
+    /// The azimuth at the first place toward the second, in degrees clockwise from north, in [−180, 180].
+    pub azimuth1: T,
+    /// The azimuth of travel at the second place, in degrees clockwise from north, in [−180, 180].
+    pub azimuth2: T,
+}
+
+/// The solution of the direct problem.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Direct<T> {
+    /// The place reached.
+    pub position: LatLon<T>,
+    /// The azimuth of travel there, in degrees clockwise from north, in [−180, 180].
+    pub azimuth: T,
+}
+
+/// Why a method gave no answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum GeodesicError<T> {
+    /// An azimuth that is infinite or not a number.
+    Azimuth(T),
+    /// A distance that is infinite or not a number.
+    Distance(T),
+    /// The iteration did not converge between these places: they are nearly antipodal.
+    NotConverged(LatLon<T>, LatLon<T>),
+}
+
+impl<T: fmt::Debug> fmt::Display for GeodesicError<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Azimuth(azimuth) => write!(f, "azimuth {azimuth:?} is not finite"),
+            Self::Distance(distance) => write!(f, "distance {distance:?} is not finite"),
+            Self::NotConverged(from, to) => write!(f, "no convergence from {from:?} to {to:?}"),
+        }
+    }
+}
+
+impl<T: fmt::Debug> core::error::Error for GeodesicError<T> {}
