@@ -11,8 +11,9 @@
 //!
 //! | room | what is in it |
 //! |---|---|
-//! | [`LatLon`], [`Direction`] | where something is |
-//! | [`Ellipsoid`] | the size and shape of a planet |
+//! | [`LatLon`], [`Direction`], [`Geodetic`], [`Ecef`] | where something is |
+//! | [`Ellipsoid`] | the size and shape of a planet; [`Geodetic`] to [`Ecef`] and back |
+//! | [`LocalFrame`] | east, north, up about an origin; [`Enu`], [`Ned`], [`Aer`] |
 //! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from ellipsoid to sphere |
 //! | [`cube`] | faces, points on them, sixteen projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
 //! | [`math`] | the kernels under all of it |
@@ -37,6 +38,8 @@
 
 pub mod cube;
 mod ellipsoid;
+pub mod frame;
+pub mod geodesic;
 mod interop;
 pub mod latitude;
 pub mod math;
@@ -44,8 +47,9 @@ mod position;
 mod real;
 
 pub use ellipsoid::{Ellipsoid, InvalidEllipsoid, NAMED};
+pub use frame::{Aer, Enu, LocalFrame, Ned};
 pub use latitude::{Latitude, Shift, Shifted};
-pub use position::{Direction, InvalidDirection, InvalidLatLon, LatLon};
+pub use position::{Direction, Ecef, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon};
 pub use real::Real;
 
 #[cfg(doctest)]

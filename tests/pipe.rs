@@ -15,6 +15,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use terrella::cube::Projection;
+use terrella::geodesic::Method;
 use terrella::{Latitude, NAMED, Shift};
 
 /// target/PROFILE/examples/pipe, next to this test's own target/PROFILE/deps.
@@ -208,7 +209,7 @@ fn numbers_have_no_more_digits_than_their_scalar() {
     let run = run("--scalar f32 forward --projection tangential", input);
     let (first, second) = run.output.split_once('\n').unwrap();
     assert_eq!(first, "0\t0.33333334\t5e-7");
-    assert_eq!((run.code, second), (1, "error: (inf, 0, inf) has no direction\n"));
+    assert_eq!((run.code, second), (1, "error: (inf, 0.0, inf) has no direction\n"));
 }
 
 #[test]
@@ -260,9 +261,9 @@ fn errors_stay_in_place() {
             (b"1 2 3;", "\"3;\" is not a number"),
             (b"1 2 \x07", "\"\\u{7}\" is not a number"),
             (b"1 2 \xc3\x28", "not UTF-8"),
-            (b"0 0 0", "(0, 0, 0) has no direction"),
-            (b"nan 0 1", "(NaN, 0, 1) has no direction"),
-            (b"1 inf 1", "(1, inf, 1) has no direction"),
+            (b"0 0 0", "(0.0, 0.0, 0.0) has no direction"),
+            (b"nan 0 1", "(NaN, 0.0, 1.0) has no direction"),
+            (b"1 inf 1", "(1.0, inf, 1.0) has no direction"),
         ],
     );
     let face_point: [(&[u8], &str); 7] = [
@@ -271,8 +272,8 @@ fn errors_stay_in_place() {
         (b"0.5 0 0", "face 0.5 is not an integer in 0 to 5"),
         (b"nan 0 0", "face NaN is not an integer in 0 to 5"),
         (b"top 0 0", "\"top\" is not a number"),
-        (b"0 1.5 0", "(1.5, 0) is not in [-1, 1]²"),
-        (b"0 0 nan", "(0, NaN) is not in [-1, 1]²"),
+        (b"0 1.5 0", "(1.5, 0.0) is not in [-1, 1]²"),
+        (b"0 0 nan", "(0.0, NaN) is not in [-1, 1]²"),
     ];
     in_place("inverse --projection square", "5 -1 1", &face_point);
     in_place("unproject --projection square", "5.0 -1 1", &face_point);
@@ -289,11 +290,54 @@ fn errors_stay_in_place() {
         "latitude --from geodetic --to authalic",
         "-90",
         &[
-            (b"-91", "-91 is no latitude between the poles"),
+            (b"-91", "-91.0 is no latitude between the poles"),
             (b"inf", "inf is no latitude between the poles"),
             (b"1 2", "fields: 1 expected, 2 found"),
         ],
     );
+}
+
+#[test]
+fn geodesics_and_positions() {
+    // The worked example of GeographicLib: Wellington to Salamanca.
+    let pair = "-41.32 174.81 40.96 -5.5";
+    let row = &numbers(&answers("geodesic-inverse", pair))[0];
+    let expected = [19_959_679.267_353_82, 161.067_669_986_16, 18.825_195_123_25];
+    assert!(row.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-8), "{row:?}");
+    for method in Method::ALL {
+        let there = answers(&format!("geodesic-direct --method {method}"), "40 -75 30 10000");
+        let row = &numbers(&there)[0];
+        assert!(
+            (row[0] - 40.077_98).abs() < 3e-4 && (row[1] + 74.941_38).abs() < 3e-4,
+            "{method}: {there}"
+        );
+        let back = format!("40 -75 {} {}", row[0], row[1]);
+        let distance = numbers(&answers(&format!("geodesic-inverse --method {method}"), back))[0][0];
+        assert!((distance - 10_000.0).abs() < 0.05, "{method}: {distance}");
+    }
+    in_place(
+        "geodesic-direct",
+        "40 -75 30 10000",
+        &[
+            (b"40 -75 nan 1", "azimuth NaN is not finite"),
+            (b"40 -75 0 inf", "distance inf is not finite"),
+        ],
+    );
+    assert_eq!(
+        answers("to-ecef", "90 0 100\n0 90 -7\n"),
+        "0.0\t0.0\t6356852.314245179\n0.0\t6378130.0\t0.0\n"
+    );
+    assert_eq!(answers("from-ecef", "0 0 6356852.314245179"), "90.0\t0.0\t100.0\n");
+    assert_eq!(
+        answers("to-enu --origin 0,90,5 --ellipsoid 1000,0", "0 90 12"),
+        "0.0\t0.0\t7.0\n"
+    );
+    let enu = answers("to-enu --origin -40,-75,0", "-40.1 -75.2 100");
+    let back = &numbers(&answers("from-enu --origin -40,-75,0", enu))[0];
+    assert!((back[0] + 40.1).abs() < 1e-13 && (back[1] + 75.2).abs() < 1e-13 && (back[2] - 100.0).abs() < 1e-8);
+    assert!(complaint("to-enu --origin 1,2").contains("three numbers"));
+    assert!(complaint("to-enu --origin 91,0,0").contains("latitude 91.0 is not in"));
+    assert!(complaint("geodesic-inverse --method bessel").contains("karney"));
 }
 
 #[test]
@@ -336,7 +380,7 @@ fn wrong_command_lines_are_refused() {
         ("project --projection square --ellipsoid 1,0.5", "flattening 0.5"),
         (
             "project --projection square --ellipsoid 1e300,0 --scalar f32",
-            "semi-major axis inf",
+            "semi-major axis 1e300",
         ),
     ] {
         let complaint = complaint(arguments);
@@ -354,6 +398,12 @@ fn help_lists_what_there_is() {
         "project",
         "unproject",
         "latitude",
+        "geodesic-inverse",
+        "geodesic-direct",
+        "to-ecef",
+        "from-ecef",
+        "to-enu",
+        "from-enu",
         "f64, f32",
         "error: why",
     ] {

@@ -8,6 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use terrella::cube::Projection;
+use terrella::geodesic::Method;
 use terrella::{Ellipsoid, Latitude, NAMED, Shift};
 
 /// Reads lines of numbers from standard input and writes one line of numbers for each.
@@ -52,6 +53,46 @@ pub enum Operation {
     Unproject(Map),
     /// One latitude -> another of the same place, in degrees; the isometric latitude is dimensionless.
     Latitude(Latitudes),
+    /// lat1 lon1 lat2 lon2 -> s12 azi1 azi2: metres and degrees from one place to another.
+    GeodesicInverse(Line),
+    /// lat1 lon1 azi1 s12 -> lat2 lon2 azi2: where an azimuth and a distance lead.
+    GeodesicDirect(Line),
+    /// lat lon h -> X Y Z: degrees and metres to metres in Earth axes.
+    ToEcef(Planet),
+    /// X Y Z -> lat lon h: metres in Earth axes to the nearest point of the ellipsoid and the height above it.
+    FromEcef(Planet),
+    /// lat lon h -> east north up: metres in the local frame of an origin.
+    ToEnu(Local),
+    /// east north up -> lat lon h: metres in the local frame of an origin.
+    FromEnu(Local),
+}
+
+/// A method on an ellipsoid.
+#[derive(Args)]
+pub struct Line {
+    /// How geodesics are computed; methods of the sphere take that of mean radius.
+    #[arg(long, value_name = "NAME", default_value = "karney", value_parser = one_of::<Method>(Method::ALL.iter().map(|m| m.name())))]
+    pub method: Method,
+
+    #[command(flatten)]
+    pub planet: Planet,
+}
+
+/// A local frame.
+#[derive(Args)]
+pub struct Local {
+    /// The origin in degrees and metres.
+    #[arg(long, value_name = "LAT,LON,H", allow_hyphen_values = true, value_parser = origin)]
+    pub origin: [f64; 3],
+
+    #[command(flatten)]
+    pub planet: Planet,
+}
+
+fn origin(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    let origin = numbers.map_err(|_| "not three numbers with commas between them".to_owned())?;
+    <[f64; 3]>::try_from(origin).map_err(|_| "not three numbers with commas between them".to_owned())
 }
 
 /// A projection of the sphere.

@@ -5,10 +5,12 @@ use std::process::ExitCode;
 use std::str::FromStr;
 
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint};
+use terrella::frame::{Enu, LocalFrame};
+use terrella::geodesic::Geodesic;
 use terrella::latitude::Conversion;
-use terrella::{Direction, Ellipsoid, LatLon, Real};
+use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, Real};
 
-use crate::command::{Latitudes, Map, Operation, Planet, Sphere};
+use crate::command::{Latitudes, Line, Local, Map, Operation, Planet, Sphere};
 use crate::lines::for_each_line;
 
 /// Processes all lines in the scalar `T`.
@@ -45,6 +47,36 @@ pub fn run<T: Real + FromStr>(operation: Operation) -> Result<ExitCode, Box<dyn 
             };
             for_each_line(|[latitude]: [T; 1]| Ok([convert(&conversion, latitude)?]))
         }
+        Operation::GeodesicInverse(Line { method, planet }) => {
+            let geodesic = method.on(ellipsoid::<T>(planet)?)?;
+            for_each_line(|[lat1, lon1, lat2, lon2]: [T; 4]| {
+                Ok(geodesic.inverse(LatLon::new(lat1, lon1)?, LatLon::new(lat2, lon2)?)?)
+            })
+        }
+        Operation::GeodesicDirect(Line { method, planet }) => {
+            let geodesic = method.on(ellipsoid::<T>(planet)?)?;
+            for_each_line(|[lat, lon, azimuth, distance]: [T; 4]| {
+                Ok(geodesic.direct(LatLon::new(lat, lon)?, azimuth, distance)?)
+            })
+        }
+        Operation::ToEcef(planet) => {
+            let ellipsoid = ellipsoid(planet)?;
+            for_each_line(|place: [T; 3]| Ok(ellipsoid.to_ecef(geodetic(place)?)))
+        }
+        Operation::FromEcef(planet) => {
+            let ellipsoid = ellipsoid(planet)?;
+            for_each_line(|[x, y, z]: [T; 3]| Ok(ellipsoid.to_geodetic(Ecef::new(x, y, z)?)))
+        }
+        Operation::ToEnu(local) => {
+            let frame = frame(local)?;
+            for_each_line(|place: [T; 3]| Ok(frame.geodetic_to_enu(geodetic(place)?)))
+        }
+        Operation::FromEnu(local) => {
+            let frame = frame(local)?;
+            for_each_line(|[east, north, up]: [T; 3]| {
+                Ok(frame.ellipsoid().to_geodetic(frame.from_enu(Enu { east, north, up })?))
+            })
+        }
     })
 }
 
@@ -55,6 +87,14 @@ fn cube_map<T: Real>(map: Map) -> Result<CubeMap<T, impl CubeProjection>, Box<dy
 /// The ellipsoid, its axis and flattening rounded to the scalar.
 fn ellipsoid<T: Real>(Planet { ellipsoid }: Planet) -> Result<Ellipsoid<T>, Box<dyn Error>> {
     Ok(Ellipsoid::new(T::of(ellipsoid.a()), T::of(ellipsoid.f()))?)
+}
+
+fn geodetic<T: Real>([lat, lon, height]: [T; 3]) -> Result<Geodetic<T>, Box<dyn Error>> {
+    Ok(Geodetic::new(LatLon::new(lat, lon)?, height)?)
+}
+
+fn frame<T: Real>(Local { origin, planet }: Local) -> Result<LocalFrame<T>, Box<dyn Error>> {
+    Ok(LocalFrame::new(ellipsoid(planet)?, geodetic(origin.map(T::of))?))
 }
 
 fn face_point<T: Real>([face, x, y]: [T; 3]) -> Result<FacePoint<T>, Box<dyn Error>> {

@@ -5,7 +5,9 @@ use std::fmt::{self, Write};
 use std::str::FromStr;
 
 use terrella::cube::FacePoint;
-use terrella::{Direction, LatLon, Real};
+use terrella::frame::Enu;
+use terrella::geodesic::{Direct, Inverse};
+use terrella::{Direction, Ecef, Geodetic, LatLon, Real};
 
 /// The numbers of a line that must have `N` of them.
 pub fn parse<T: Real + FromStr, const N: usize>(line: &[u8]) -> Result<[T; N], Box<dyn Error>> {
@@ -55,6 +57,36 @@ impl<T: Real> Row for Direction<T> {
 impl<T: Real> Row for LatLon<T> {
     fn write(&self, out: &mut String) -> fmt::Result {
         [self.lat(), self.lon()].write(out)
+    }
+}
+
+impl<T: Real> Row for Inverse<T> {
+    fn write(&self, out: &mut String) -> fmt::Result {
+        [self.distance, self.azimuth1, self.azimuth2].write(out)
+    }
+}
+
+impl<T: Real> Row for Direct<T> {
+    fn write(&self, out: &mut String) -> fmt::Result {
+        [self.position.lat(), self.position.lon(), self.azimuth].write(out)
+    }
+}
+
+impl<T: Real> Row for Ecef<T> {
+    fn write(&self, out: &mut String) -> fmt::Result {
+        self.to_array().write(out)
+    }
+}
+
+impl<T: Real> Row for Geodetic<T> {
+    fn write(&self, out: &mut String) -> fmt::Result {
+        [self.lat(), self.lon(), self.height()].write(out)
+    }
+}
+
+impl<T: Real> Row for Enu<T> {
+    fn write(&self, out: &mut String) -> fmt::Result {
+        [self.east, self.north, self.up].write(out)
     }
 }
 

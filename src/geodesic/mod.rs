@@ -4,6 +4,28 @@ use core::fmt;
 
 use crate::{LatLon, Real};
 
+mod andoyer;
+mod andoyer_second;
+mod auxiliary;
+mod bowring;
+mod degrees;
+mod flat;
+mod great_circle;
+mod haversine;
+mod karney;
+mod method;
+mod vincenty;
+
+pub use andoyer::Andoyer;
+pub use andoyer_second::AndoyerSecond;
+pub use bowring::Bowring;
+pub use flat::Flat;
+pub use great_circle::GreatCircle;
+pub use haversine::Haversine;
+pub use karney::{Area, Karney, Line, LinePoint, PolygonArea, Solution};
+pub use method::{AnyMethod, Method, UnknownMethod};
+pub use vincenty::Vincenty;
+
 /// A method that solves the two problems of geodesy.
 pub trait Geodesic<T: Real> {
     /// From two places to the distance between them and the azimuths at both.

@@ -3,13 +3,14 @@
 use serde::de::{Deserialize, Deserializer, Error};
 
 use crate::cube::{Face, FacePoint};
-use crate::{Direction, Ellipsoid, LatLon, Real};
+use crate::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, Real};
 
 macro_rules! checked {
     ($name:ident { $($field:ident: $kind:ty),* }) => {
         impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for $name<T> {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 #[derive(serde::Deserialize)]
+                #[serde(bound(deserialize = "T: Real + serde::Deserialize<'de>"))]
                 struct $name<T> {
                     $($field: $kind),*
                 }
@@ -22,5 +23,7 @@ macro_rules! checked {
 
 checked!(LatLon { lat: T, lon: T });
 checked!(Direction { x: T, y: T, z: T });
+checked!(Geodetic { lat_lon: LatLon<T>, height: T });
+checked!(Ecef { x: T, y: T, z: T });
 checked!(Ellipsoid { a: T, f: T });
 checked!(FacePoint { face: Face, x: T, y: T });

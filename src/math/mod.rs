@@ -6,14 +6,15 @@
 //! | [`sin_cos`] | \|x\| ≤ 10⁵ (f64), 100 (f32) rad | 0.8 ulp | 0.8 ulp |
 //! | [`sin_cos_degrees`] | \|x\| ≤ 10⁹ (f64), 10⁶ (f32) ° | 0.8 ulp | 0.8 ulp |
 //! | [`tan`] | \|x\| ≤ π/4 | 1.2 ulp | 1.2 ulp |
-//! | [`atan`], [`atan2`] | all | 0.9 ulp | 0.9 ulp |
-//! | [`atan2_degrees`] | all | 0.9 ulp | 0.9 ulp |
+//! | [`atan`], [`atan2`] | all | 0.85 ulp | 0.85 ulp |
+//! | [`atan2_degrees`] | all | 0.85 ulp | 0.85 ulp |
 //! | [`cbrt`] | normal | 1 ulp | 1 ulp |
 
 mod atan;
 mod cbrt;
 mod complex;
 pub(crate) mod conformal;
+pub(crate) mod geodesic;
 pub(crate) mod latitude;
 mod minimax;
 mod polynomial;
@@ -26,8 +27,8 @@ pub(crate) use complex::Complex;
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::odd_unit;
-pub(crate) use sin_cos::sin_cos_small;
 pub use sin_cos::{sin_cos, sin_cos_degrees};
+pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_small};
 pub use tan::tan;
 
 use crate::Real;

@@ -42,5 +42,6 @@ impl<const N: usize> Polynomial<N, N> {
 #[inline(always)]
 pub(crate) fn odd_unit<T: Real, const N: usize, const M: usize>(x: T, p: &Polynomial<N, M>) -> T {
     let z = x * x;
-    x - x * (T::ONE - z) * z.polynomial(p)
+    // A zero keeps its sign: it may be what tells longitude −180 from 180.
+    (x - x * (T::ONE - z) * z.polynomial(p)).copysign(x)
 }

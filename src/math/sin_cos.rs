@@ -27,7 +27,8 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     let low = (high - r) + low;
     let limit = T::pick(1e5, 100.0);
     let r = select(x.abs() <= limit, r, T::of(f64::NAN));
-    quadrant(q, reduced(r, low))
+    let [result, _] = reduced(r, low, T::ZERO);
+    quadrant(q, result)
 }
 
 /// Sine and cosine of an angle in degrees.
@@ -43,12 +44,33 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
 #[must_use]
 #[inline]
 pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
+    let (q, (high, low)) = quarter_and_rest(x);
+    let [result, _] = reduced(high, low, T::ZERO);
+    zero_of_sign(quadrant(q, result), x)
+}
+
+/// Sine and cosine as [`sin_cos_degrees`] gives them but for a rounding, and what is to be added to each: together within 0.2 ulp.
+#[inline]
+pub(crate) fn sin_cos_degrees_with_rest<T: Real>(x: T) -> [(T, T); 2] {
+    let (q, (high, low)) = quarter_and_rest(x);
+    let (head, tail) = high.split();
+    let square_lost = ((head * head - high * high) + (head + head) * tail) + tail * tail;
+    let [result, rest] = reduced(high, low, square_lost * T::of(0.5));
+    [zero_of_sign(quadrant(q, result), x), quadrant(q, rest)]
+}
+
+/// The nearest multiple of 90°, and the rest in radians as a sum of two numbers.
+#[inline(always)]
+fn quarter_and_rest<T: Real>(x: T) -> (T, (T, T)) {
     let q = (x * T::of(1.0 / 90.0)).round();
-    let r = select(x.abs() <= T::pick(1e9, 1e6), x - q * T::of(90.0), T::of(f64::NAN));
-    let (high, low) = radians(r);
-    let (sin, cos) = quadrant(q, reduced(high, low));
-    // A zero has the sign of the angle, so that −180 and 180 stay apart.
-    (select(sin == T::ZERO, T::ZERO.copysign(x), sin), cos)
+    let rest = select(x.abs() <= T::pick(1e9, 1e6), x - q * T::of(90.0), T::of(f64::NAN));
+    (q, radians(rest))
+}
+
+/// A sine of zero has the sign of the angle, so that −180 and 180 stay apart; a cosine's is positive.
+#[inline(always)]
+fn zero_of_sign<T: Real>((sin, cos): (T, T), x: T) -> (T, T) {
+    (select(sin == T::ZERO, T::ZERO.copysign(x), sin), cos + T::ZERO)
 }
 
 /// Degrees to radians, as a sum of two numbers: π/180 is split so that its head times the argument's head is exact.
@@ -63,23 +85,27 @@ fn radians<T: Real>(degrees: T) -> (T, T) {
     (high, rest - (high - product))
 }
 
-/// Sine and cosine of `x + low`, |x| ≤ π/4, `low` below half an ulp of `x`.
+/// Sine and cosine of `x + low`, |x| ≤ π/4, `low` below half an ulp of `x`, and what their last rounding lost; `lost` is what
+/// that of half of x² lost.
 #[inline(always)]
-fn reduced<T: Real>(x: T, low: T) -> (T, T) {
+fn reduced<T: Real>(x: T, low: T, lost: T) -> [(T, T); 2] {
     let z = x * x;
     let half = z * T::of(0.5);
     // sin(x + l) = x + (l·cos x + x³p); cos x ≈ 1 − z/2 is enough for l.
-    let sin = x + (low * (T::ONE - half) + x * z * z.polynomial(&SIN));
+    let small_sin = low * (T::ONE - half) + x * z * z.polynomial(&SIN);
+    let sin = x + small_sin;
     // 1 − z/2 is rounded once; what that lost goes into the small terms (as in fdlibm's k_cos).
     let w = T::ONE - half;
-    let cos = w + (((T::ONE - w) - half) + (z * z * z.polynomial(&COS) - x * low));
-    (sin, cos)
+    let small_cos = ((T::ONE - w) - half) + ((z * z * z.polynomial(&COS) - x * low) - lost);
+    let cos = w + small_cos;
+    [(sin, cos), (small_sin - (sin - x), small_cos - (cos - w))]
 }
 
 /// Sine and cosine of |x| ≤ π/4, without a reduction.
 #[inline(always)]
 pub(crate) fn sin_cos_small<T: Real>(x: T) -> (T, T) {
-    reduced(x, T::ZERO)
+    let [result, _] = reduced(x, T::ZERO, T::ZERO);
+    result
 }
 
 /// Turns the sine and cosine of the remainder by q quarter circles.

@@ -19,6 +19,15 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("geodetic latitude of another", "rad", [3.0e-16, 1.3e-7]),
     ("isometric latitude, relative to 1 or more", "", [3.2e-16, 1.5e-7]),
     ("latitudes below 0.1, relative", "ulp", [2.6, 2.6]),
+    ("Karney inverse, distance", "m", [7e-9, 3.0]),
+    ("Karney inverse, azimuth times length", "m", [1.5e-9, 3.0]),
+    ("Karney inverse, reduced length", "m", [8e-9, 3.0]),
+    ("Karney direct, position", "m", [1e-8, 3.0]),
+    ("Karney direct, position after several circuits", "m", [2.6e-8, 3.0]),
+    ("Karney area under a line", "m²", [0.1, 1e9]),
+    ("Karney area under a line of less than 1000 km", "m²", [0.02, 1e6]),
+    ("Karney on Mars and the Moon", "m", [4e-9, 1.0]),
+    ("Karney for f = 1/10 and −1/150", "m", [1.2e-8, 1.0]),
 ];
 
 /// The projections: the largest error of x and y, and of the direction in radians, in `f64` and in `f32`.

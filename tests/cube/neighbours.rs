@@ -10,7 +10,7 @@ use crate::unfolded::{Vector, all_edges, at_corner, beyond, combine, cross, dot,
 /// The neighbour by geometry: the face whose outward vector is the edge's.
 fn across(face: Face, edge: Edge) -> Face {
     let [right, up, _] = frame(face);
-    let [ex, ey] = normal(edge);
+    let [ex, ey] = normal::<f64>(edge);
     let out = combine([ex, ey, 0.0], [right, up, [0.0; 3]]);
     Face::ALL.into_iter().find(|&other| frame(other)[2] == out).unwrap()
 }
@@ -28,7 +28,7 @@ fn unfolding_follows_the_documented_rule() {
         let neighbour = face.neighbour(edge);
         assert_eq!(neighbour.face, across(face, edge), "{face:?} {edge:?}");
         assert!(neighbour.turns < 4, "{face:?} {edge:?}");
-        let [ex, ey] = normal(edge);
+        let [ex, ey] = normal::<f64>(edge);
         for t in [0.0, 0.25, 1.0, 2.0] {
             for s in [-1.0, -0.5, 0.0, 0.125, 1.0] {
                 let [u, v] = on_edge(edge, s);
@@ -52,7 +52,7 @@ fn the_neighbour_names_the_same_edge() {
     for (face, edge) in all_edges() {
         let neighbour = face.neighbour(edge);
         let middle = |face: Face, edge: Edge| {
-            let [u, v] = normal(edge);
+            let [u, v] = normal::<f64>(edge);
             combine([u, v, 1.0], frame(face))
         };
         assert_eq!(
@@ -77,7 +77,7 @@ fn going_there_and_back_is_no_move() {
 fn twelve_edges_each_of_two_faces() {
     let mut seen = BTreeMap::<_, Vec<_>>::new();
     for (face, edge) in all_edges() {
-        let [u, v] = normal(edge);
+        let [u, v] = normal::<f64>(edge);
         seen.entry(key(combine([u, v, 1.0], frame(face))))
             .or_default()
             .push(face);
@@ -109,7 +109,7 @@ fn straight_ahead_goes_round_the_cube() {
 fn a_corner_is_between_its_edges() {
     for corner in Corner::ALL {
         let (ends, begins) = corner.edges();
-        let ([ax, ay], [bx, by]) = (normal::<f64>(ends), normal(begins));
+        let ([ax, ay], [bx, by]) = (normal::<f64>(ends), normal::<f64>(begins));
         assert_eq!([ax + bx, ay + by], at_corner(corner), "{corner:?}");
         assert_eq!(ax * by - ay * bx, 1.0, "{corner:?}: not counter-clockwise");
     }

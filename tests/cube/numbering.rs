@@ -24,7 +24,7 @@ fn s2<T: Scalar>(face: u8, [x, y, z]: [T; 3]) -> (T, T) {
 
 /// OpenGL 4.6, table 8.19: (sc, tc, ma) by the major axis; the coordinates are sc/|ma| and tc/|ma|, to the right and down.
 fn open_gl<T: Scalar>(face: u8, [x, y, z]: [T; 3]) -> (T, T) {
-    // A renderer's axes: x to the east of Greenwich's meridian, y up, z toward the viewer.
+    // A renderer's axes: its x is the Earth's y, its y the Earth's z, its z the Earth's x.
     let (rx, ry, rz) = (y, z, x);
     let (sc, tc, ma) = match face {
         0 => (-rz, -ry, rx),
@@ -114,11 +114,10 @@ fn there_and_back<T: Scalar>(numbering: Numbering) {
                     (x.bits(), y.bits()),
                     "{numbering:?} {point:?}"
                 );
-                let other = FacePoint::new(numbering.face(number).unwrap(), x, y).unwrap();
                 assert_eq!(
                     numbering.to_point(numbering.from_point(number, x, y).unwrap()),
                     (number, x, y),
-                    "{numbering:?} {other:?}"
+                    "{numbering:?} {number} {x:?} {y:?}"
                 );
             }
         }

@@ -1,7 +1,7 @@
 //! Everywhere: coordinates in [−1, 1] and never NaN, on the face that was chosen, and increasing to the right.
 
+use terrella::Direction;
 use terrella::cube::{CubeProjection, Face, FacePoint, Projection};
-use terrella::{Direction, Real};
 
 use crate::sample::{Scalar, coordinates, directions, every_projection, ulps};
 

@@ -14,10 +14,12 @@ pub trait Scalar: Real + Into<f64> + Debug {
     const SMALLEST: Self;
     /// The smallest positive normal number.
     const SMALLEST_NORMAL: Self;
-    /// The next larger number.
+    /// The next larger number, of a finite one.
     fn above(self) -> Self;
     /// The next smaller number.
-    fn below(self) -> Self;
+    fn below(self) -> Self {
+        -(-self).above()
+    }
     /// The bits, to tell zeros and NaNs apart.
     fn bits(self) -> u64;
 }
@@ -29,10 +31,11 @@ macro_rules! scalar {
             const SMALLEST: Self = $float::from_bits(1);
             const SMALLEST_NORMAL: Self = $float::MIN_POSITIVE;
             fn above(self) -> Self {
-                self.next_up()
-            }
-            fn below(self) -> Self {
-                self.next_down()
+                if self == 0.0 {
+                    return Self::SMALLEST;
+                }
+                let bits = self.to_bits();
+                Self::from_bits(if self > 0.0 { bits + 1 } else { bits - 1 })
             }
             fn bits(self) -> u64 {
                 self.to_bits().into()

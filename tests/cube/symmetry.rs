@@ -10,9 +10,6 @@ use crate::sample::{Scalar, coordinates, directions, every_projection, ulps};
 /// The mirrors are exact for all.
 const fn swap(projection: Projection) -> (f64, f64) {
     match projection {
-        // A product of three factors, from the left.
-        Projection::Outerra => (2.0, 2.0),
-        Projection::Balanced => (1.0, 0.0),
         // The product of the sum and the difference of uv.
         Projection::Cartesian => (3.0, 0.0),
         // On the diagonals, where x and y are computed differently.
@@ -85,6 +82,34 @@ fn inverse_has_the_symmetries_of_the_square() {
     every_projection(|projection| {
         inverse::<f64>(projection);
         inverse::<f32>(projection);
+    });
+}
+
+/// On a midline of the face x or y is 0, and 0 is on a midline.
+fn midlines<T: Scalar>(projection: Projection) {
+    let zero = T::ZERO;
+    for face in Face::ALL {
+        for s in coordinates::<T>(33, 1500) {
+            for zero in [zero, -zero] {
+                let [right, _, _] = projection.inverse(face, [zero, s]);
+                let [_, up, _] = projection.inverse(face, [s, zero]);
+                let context = || format!("{projection} {}: {face:?} {s:?} and {zero:?}", T::NAME);
+                assert_eq!([right, up], [zero; 2], "{}", context());
+                let length = (T::ONE + s * s).sqrt();
+                let (a, b) = (s / length, T::ONE / length);
+                let [x, _] = projection.forward(face, [zero, a, b]);
+                let [_, y] = projection.forward(face, [a, zero, b]);
+                assert_eq!([x, y], [zero; 2], "{}", context());
+            }
+        }
+    }
+}
+
+#[test]
+fn midlines_stay_midlines() {
+    every_projection(|projection| {
+        midlines::<f64>(projection);
+        midlines::<f32>(projection);
     });
 }
 

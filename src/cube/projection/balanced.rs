@@ -48,7 +48,7 @@ impl CubeProjection for Balanced {
             let (xx, yy) = (x * x, y * y);
             let (p, q) = (T::ONE - xx, T::ONE - yy);
             let (fx, fy) = (Factor::new(p, q), Factor::new(q, p));
-            let twist = T::of(-2.0 * B[2]) * x * y;
+            let twist = T::of(-2.0 * B[2]) * (x * y);
             let (ux, uy) = (fx.value - two * xx * (fx.a + fx.c), twist * p * p);
             let (vx, vy) = (twist * q * q, fy.value - two * yy * (fy.a + fy.c));
             let (du, dv) = (u - x * fx.value, v - y * fy.value);
@@ -56,7 +56,7 @@ impl CubeProjection for Balanced {
             x += (du * vy - dv * uy) / determinant;
             y += (dv * ux - du * vx) / determinant;
         }
-        [x, y]
+        [x.copysign(u), y.copysign(v)]
     }
 
     #[inline(always)]

@@ -20,12 +20,12 @@ impl CubeProjection for Outerra {
         let (uu, vv) = (u * u, v * v);
         let m = T::of(M);
         // (x, y) = k(u, v) with k = 1 + M(1 − k²u²)(1 − k²v²), a root in [1, 1 + M] (Algorithm 1, scaled by Z).
-        let mut k = T::ONE + m * (T::ONE - uu) * (T::ONE - vv);
+        let mut k = T::ONE + m * ((T::ONE - uu) * (T::ONE - vv));
         for _ in 0..T::terms(4, 3) {
             let p = T::ONE - k * k * uu;
             let q = T::ONE - k * k * vv;
             let slope = T::ONE + T::of(2.0) * m * k * (uu * q + vv * p);
-            k -= (k - T::ONE - m * p * q) / slope;
+            k -= (k - T::ONE - m * (p * q)) / slope;
         }
         let k = max(min(k, T::ONE + m), T::ONE);
         [k * u, k * v]
@@ -33,7 +33,7 @@ impl CubeProjection for Outerra {
 
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
-        let bulge = T::of(M) * (T::ONE - x * x) * (T::ONE - y * y);
+        let bulge = T::of(M) * ((T::ONE - x * x) * (T::ONE - y * y));
         normalise([x, y, T::ONE + bulge])
     }
 }

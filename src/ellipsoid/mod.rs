@@ -1,5 +1,7 @@
 //! [`Ellipsoid`]: the size and shape of a planet.
 
+mod ecef;
+
 use core::fmt;
 
 use crate::Real;
@@ -75,15 +77,16 @@ named! {
 }
 
 impl<T: Real> Ellipsoid<T> {
-    /// From the semi-major axis in metres and the flattening.
+    /// From the semi-major axis in metres, from 10⁻¹⁵ to 10¹⁵, and the flattening, from −1000 to just below 1: within these bounds no
+    /// derived constant overflows or vanishes.
     ///
     /// # Errors
-    /// [`InvalidEllipsoid`] unless 0 < a < ∞ and −∞ < f < 1.
+    /// [`InvalidEllipsoid`] outside these bounds, and for NaN.
     pub fn new(a: T, f: T) -> Result<Self, InvalidEllipsoid<T>> {
-        if !(a > T::ZERO && a.is_finite()) {
+        if !(T::of(1e-15)..=T::of(1e15)).contains(&a) {
             return Err(InvalidEllipsoid::SemiMajorAxis(a));
         }
-        if !(f < T::ONE && f.is_finite()) {
+        if !(T::of(-1000.0)..T::ONE).contains(&f) {
             return Err(InvalidEllipsoid::Flattening(f));
         }
         Ok(Self { a, f })
@@ -92,7 +95,7 @@ impl<T: Real> Ellipsoid<T> {
     /// A sphere of the given radius in metres.
     ///
     /// # Errors
-    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 0 < radius < ∞.
+    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.
     pub fn sphere(radius: T) -> Result<Self, InvalidEllipsoid<T>> {
         Self::new(radius, T::ZERO)
     }
@@ -157,18 +160,31 @@ impl<T: Real> Ellipsoid<T> {
     /// a²/2 + b²/2 · atanh(e)/e, with atan in place of atanh if prolate.
     #[must_use]
     pub fn authalic_radius(self) -> T {
+        self.authalic_radius_squared().sqrt()
+    }
+
+    pub(crate) fn authalic_radius_squared(self) -> T {
         let half = T::of(0.5);
-        let e = self.e2().abs().sqrt();
-        // atanh(e)/e → 1 as e → 0.
-        let ratio = if e == T::ZERO {
-            T::ONE
-        } else if self.f > T::ZERO {
-            half * (T::of(2.0) * e / (T::ONE - e)).ln_1p() / e
+        let e2 = self.e2();
+        // 1 − e².
+        let squeeze = (T::ONE - self.f) * (T::ONE - self.f);
+        // w in atanh(e)/e = 1 + e²w, for either sign of e².
+        let w = if e2.abs() <= T::of(0.2) {
+            let terms = (1..=T::terms(22, 9)).rev();
+            terms.fold(T::ZERO, |sum, k| sum * e2 + T::ONE / T::of(2.0 * k as f64 + 1.0))
         } else {
-            atan(e) / e
+            let e = e2.abs().sqrt();
+            let ratio = if self.f > T::ZERO {
+                // 1 − e = (1 − f)²/(1 + e).
+                half * (T::of(2.0) * e * (T::ONE + e) / squeeze).ln_1p() / e
+            } else {
+                atan(e) / e
+            };
+            (ratio - T::ONE) / e2
         };
-        let axes = T::ONE - self.f;
-        self.a * (half + half * axes * axes * ratio).sqrt()
+        // a² less a small part, for the last digit's sake.
+        let square = self.a * self.a;
+        square - square * (half * e2 * (T::ONE - squeeze * w))
     }
 }
 
@@ -176,17 +192,17 @@ impl<T: Real> Ellipsoid<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidEllipsoid<T> {
-    /// The semi-major axis is not a positive, finite number.
+    /// The semi-major axis is not in [10⁻¹⁵, 10¹⁵] metres.
     SemiMajorAxis(T),
-    /// The flattening is not a finite number below 1.
+    /// The flattening is not in [−1000, 1).
     Flattening(T),
 }
 
 impl<T: fmt::Debug> fmt::Display for InvalidEllipsoid<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::SemiMajorAxis(a) => write!(f, "semi-major axis {a:?} is not positive and finite"),
-            Self::Flattening(flattening) => write!(f, "flattening {flattening:?} is not a finite number below 1"),
+            Self::SemiMajorAxis(a) => write!(f, "semi-major axis {a:?} is not in [1e-15, 1e15] metres"),
+            Self::Flattening(flattening) => write!(f, "flattening {flattening:?} is not in [-1000, 1)"),
         }
     }
 }

@@ -1,0 +1,139 @@
+//! The page over the pictures.
+
+use crate::comparison::{self, Row};
+use crate::svg::escaped;
+
+const STYLE: &str = include_str!("page.css");
+
+/// A picture on the page.
+pub struct Picture {
+    /// Its file's name, without what follows the point.
+    pub file: &'static str,
+    pub title: &'static str,
+    /// How to read it.
+    pub legend: &'static str,
+    /// What to conclude from it.
+    pub conclusion: &'static str,
+}
+
+/// The whole page.
+pub fn html(pictures: &[&Picture], rows: &[Row], pairs: usize) -> String {
+    let figures: String = pictures.iter().map(|picture| figure(picture)).collect();
+    format!(
+        r#"<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Where distances hold</title>
+<meta name="description" content="Errors and failures of the crate terrella's methods of distance, and of others.">
+<style>
+{STYLE}</style>
+</head>
+<body>
+<header>
+<h1>Where distances hold</h1>
+<p class="lead">Every formula for the distance of two places is good somewhere. Between neighbours some lose their digits, over an ocean
+some their model, and on the far side of the Earth, where every direction is nearly the shortest, some never come to an end. Here
+is where.</p>
+<p>All of it is measured on WGS84 while the page is made, with every method in <code>f64</code> and in <code>f32</code>. A method in
+<code>f32</code> is given places that are rounded to <code>f32</code> first, and judged by the distance between those.</p>
+</header>
+<main>
+{figures}<article aria-labelledby="comparison">
+<h2 id="comparison">Next to other crates</h2>
+<p class="legend">{caption}</p>
+<div class="scroll" role="region" aria-labelledby="comparison" tabindex="0">
+{table}</div>
+<p>{COMPARISON}</p>
+</article>
+</main>
+<footer>
+<p>Drawn by the example <code>stability</code> of the crate <code>terrella</code>.</p>
+</footer>
+</body>
+</html>
+"#,
+        caption = escaped(&comparison::caption(pairs)),
+        table = comparison::html(rows),
+    )
+}
+
+pub const DISTANCE: Picture = Picture {
+    file: "distance",
+    title: "From a millimetre to the antipode",
+    legend: "The largest error among the pairs of each tenth of a decade. Left, the distance is counted from the first \
+             place; right, from its antipode, since all that is hard happens there. Full lines are <code>f64</code>, \
+             dashed ones <code>f32</code>. The bar at the top shows where a method gives no answer, the brighter the \
+             more often. Haversine is under the great circle nearly everywhere. The line of Vincenty’s formulas as \
+             they are usually written is that of the crate <code>geo</code>.",
+    conclusion: "In <code>f64</code> Vincenty and Karney stay within the nanometres that the reference itself is good \
+                 for, from a millimetre to the antipode: without another reason, take one of them. Andoyer costs a \
+                 millionth of the distance and a bit, Andoyer’s second order a few billionths; both are for up to half \
+                 of the way around, and tens of kilometres wrong at the end of it. Bowring holds a millimetre up to \
+                 100 km; the flat model up to some kilometres, and less near a pole. The sphere is half a percent off \
+                 at any distance, whatever the formula. In <code>f32</code> Vincenty, and in their range Bowring and \
+                 the second Andoyer, keep seven digits of the distance; Karney in <code>f32</code> keeps a metre, \
+                 between neighbours too, so it is not for those.",
+};
+
+pub const ANTIPODE: Picture = Picture {
+    file: "antipode",
+    title: "The far side",
+    legend: "The square of ±1° about the antipode of 30.1° N, 10.3° E, and the error of the distance to each place in \
+             it; at the upper right the largest. The first row is measured against the sphere that these two methods \
+             compute on, the rest against the Earth.",
+    conclusion: "Vincenty and Karney are here what they are elsewhere: nanometres in <code>f64</code>, a metre or a \
+                 few in <code>f32</code>, and an answer for every pair. Vincenty’s iteration as it is usually written \
+                 has none in the hatched region, some 60 km to every side. Both of Andoyer’s formulas always answer, \
+                 and are kilometres wrong. Haversine loses half of its digits: micrometres in <code>f64</code>, which \
+                 no one will miss, but up to kilometres in <code>f32</code>; the great circle by Delambre’s formulas \
+                 loses none. As a model of the Earth either is ten kilometres off anyway.",
+};
+
+pub const TIMES: Picture = Picture {
+    file: "times",
+    title: "What the far side costs",
+    legend: "The time of one distance in the same square, the shortest of a few measurements on the machine that made \
+             this page. Each edge between two colours is a step of iteration more or less.",
+    conclusion: "Karney takes the same few steps nearly everywhere. Vincenty with Newton’s steps takes the most at two \
+                 points to the east and the west, where the shortest line turns from crossing the meridians to \
+                 following the parallel, and is about as long there as Karney. The usual iteration takes ever more \
+                 steps toward the region where it gives up, and there all of its hundred for nothing: who falls back \
+                 from it to another method pays for both.",
+};
+
+pub const SECTION: Picture = Picture {
+    file: "section",
+    title: "Down to the centre of the Earth",
+    legend: "From Earth-centred coordinates to latitude, longitude and height, over the section through the meridian \
+             of 30° E: above up to 10 000 km, below the innermost 60 km. The error of latitude and longitude is what \
+             it makes on the ground. The curves are the surface and, below, the evolute, inside which a point lies on \
+             four verticals and not on two. Reference: the nearest point by Newton’s method with twice the digits of \
+             <code>f64</code>.",
+    conclusion: "There is no place where it fails, and no seam to see but those of rounding, where a number passes a \
+                 power of two: a few nanometres in <code>f64</code> everywhere. In <code>f32</code> the place is \
+                 within a metre, the height near the surface within millimetres and elsewhere within half of a metre. \
+                 Only next to the cusp of the evolute, 43 km from the centre, where the latitude turns fastest, \
+                 <code>f32</code> is some metres off.",
+};
+
+const COMPARISON: &str = "Of the crates in <code>f64</code>, <code>geographiclib-rs</code>, <code>geo</code>’s \
+    <code>Geodesic</code> (which calls it), <code>geo3d</code> and this crate’s Karney and Vincenty agree to 15 nm and \
+    answer always. <code>vincenty_distance</code> of <code>geo</code> answers one in four of the pairs near the \
+    antipode; it says so, and what it does answer is right. The columns headed wrong are those to look at: the \
+    spherical formulas, the flat model, Bowring’s and Andoyer’s are given there what they are not made for, and say \
+    nothing.";
+
+fn figure(picture: &Picture) -> String {
+    let Picture {
+        file,
+        title,
+        legend,
+        conclusion,
+    } = picture;
+    format!(
+        "<article aria-labelledby=\"{file}\">\n<h2 id=\"{file}\">{title}</h2>\n<p class=\"legend\">{legend}</p>\n\
+         <figure><a href=\"{file}.png\"><img src=\"{file}.svg\" alt=\"{title}\"></a></figure>\n<p>{conclusion}</p>\n</article>\n"
+    )
+}

@@ -1,0 +1,145 @@
+use crate::Real;
+use crate::math::{max, select, sin_cos_degrees};
+use crate::position::angle_degrees;
+
+/// East, north and up from an origin, in metres; or the components of any vector in these axes.
+///
+/// Up is along the ellipsoid's normal at the origin, outward.
+///
+/// ```
+/// use terrella::{Aer, Enu};
+/// let mast = Enu { east: 30.0, north: 0.0, up: 40.0 };
+/// let seen = Aer::from(mast);
+/// assert_eq!((seen.azimuth, seen.range), (90.0, 50.0));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Enu<T> {
+    /// Toward the east.
+    pub east: T,
+    /// Toward the north.
+    pub north: T,
+    /// Away from the ellipsoid.
+    pub up: T,
+}
+
+/// North, east and down from an origin, in metres: the axes of aircraft; or the components of any vector in these axes.
+///
+/// ```
+/// use terrella::{Enu, Ned};
+/// let ned = Ned::from(Enu { east: 1.0, north: 2.0, up: 3.0 });
+/// assert_eq!(ned, Ned { north: 2.0, east: 1.0, down: -3.0 });
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Ned<T> {
+    /// Toward the north.
+    pub north: T,
+    /// Toward the east.
+    pub east: T,
+    /// Into the ellipsoid.
+    pub down: T,
+}
+
+/// Azimuth, elevation and range from an origin: what an antenna points by.
+///
+/// Worst error of the way from [`Enu`]: 1 ulp of the azimuth, 2 ulp of the elevation, 1.5 ulp of the range.
+///
+/// ```
+/// use terrella::{Aer, Enu};
+/// let west = Aer::from(Enu { east: -5.0, north: 0.0, up: 0.0 });
+/// assert_eq!(west, Aer { azimuth: -90.0, elevation: 0.0, range: 5.0 });
+/// // as a compass shows it, 0 to 360
+/// let compass = if west.azimuth < 0.0 { west.azimuth + 360.0 } else { west.azimuth };
+/// assert_eq!(compass, 270.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Aer<T> {
+    /// Clockwise from north in degrees, in [−180, 180]; 0 straight up, straight down and at the origin.
+    pub azimuth: T,
+    /// Above the plane of east and north, in degrees, in [−90, 90]; 0 at the origin.
+    pub elevation: T,
+    /// Distance in metres.
+    pub range: T,
+}
+
+impl<T: Real> From<Ned<T>> for Enu<T> {
+    #[inline(always)]
+    fn from(ned: Ned<T>) -> Self {
+        Self {
+            east: ned.east,
+            north: ned.north,
+            up: -ned.down,
+        }
+    }
+}
+
+impl<T: Real> From<Enu<T>> for Ned<T> {
+    #[inline(always)]
+    fn from(enu: Enu<T>) -> Self {
+        Self {
+            north: enu.north,
+            east: enu.east,
+            down: -enu.up,
+        }
+    }
+}
+
+impl<T: Real> From<Enu<T>> for Aer<T> {
+    #[inline]
+    fn from(enu: Enu<T>) -> Self {
+        // Squares stay in range after a power of two. Adding 0 makes −0 into 0: south is at 180, not −180.
+        let largest = max(max(enu.east.abs(), enu.north.abs()), enu.up.abs());
+        let (shrink, grow) = (
+            T::pick(2.409_919_865_102_884e-181, 8.271_806e-25),
+            T::pick(4.149_515_568_880_993e180, 1.267_650_6e30),
+        );
+        let large = largest > T::pick(3.273_390_607_896_142e150, 1.152_921_5e18);
+        let small = largest < T::pick(3.054_936_363_499_605e-151, 8.673_617_4e-19);
+        let scale = select(large, shrink, select(small, grow, T::ONE));
+        let unscale = select(large, grow, select(small, shrink, T::ONE));
+        let (east, north, up) = (
+            enu.east * scale + T::ZERO,
+            enu.north * scale + T::ZERO,
+            enu.up * scale + T::ZERO,
+        );
+        let level = east * east + north * north;
+        Self {
+            azimuth: angle_degrees(east, north),
+            elevation: angle_degrees(up, level.sqrt()),
+            range: (level + up * up).sqrt() * unscale,
+        }
+    }
+}
+
+impl<T: Real> From<Aer<T>> for Enu<T> {
+    #[inline]
+    fn from(aer: Aer<T>) -> Self {
+        let (sin_azimuth, cos_azimuth) = sin_cos_degrees(aer.azimuth);
+        let (sin, cos) = sin_cos_degrees(aer.elevation);
+        let level = aer.range * cos;
+        Self {
+            east: level * sin_azimuth,
+            north: level * cos_azimuth,
+            up: aer.range * sin,
+        }
+    }
+}
+
+impl<T: Real> From<Ned<T>> for Aer<T> {
+    #[inline]
+    fn from(ned: Ned<T>) -> Self {
+        Enu::from(ned).into()
+    }
+}
+
+impl<T: Real> From<Aer<T>> for Ned<T> {
+    #[inline]
+    fn from(aer: Aer<T>) -> Self {
+        Enu::from(aer).into()
+    }
+}

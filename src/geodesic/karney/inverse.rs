@@ -1,0 +1,501 @@
+use core::f64::consts::PI;
+
+use super::Karney;
+use super::angle::{Angle, hypot};
+use super::astroid::astroid;
+use super::lengths::Node;
+use super::series::Series;
+use crate::geodesic::degrees::{Split, longitude_difference};
+use crate::math::{atan2, max, min, select};
+use crate::{LatLon, Real};
+
+/// The inverse problem turned so that β₁ ≤ 0, |β₂| ≤ −β₁ and 0 ≤ λ₁₂ ≤ π, with what it takes to turn the answer back.
+#[derive(Clone, Copy)]
+pub(super) struct Canonical<T> {
+    pub beta1: Angle<T>,
+    pub beta2: Angle<T>,
+    pub dn1: T,
+    pub dn2: T,
+    /// λ₁₂, in radians and as sine and cosine.
+    lambda: T,
+    lambda12: Angle<T>,
+    /// 180° − λ₁₂.
+    supplement: T,
+    /// Whether the first point is a pole.
+    polar: bool,
+    /// −1 if the points were exchanged.
+    swap: T,
+    /// −1 if the longitude was reflected; this and `swap` count together.
+    lon_sign: T,
+    lat_sign: T,
+}
+
+/// The geodesic between the points of a canonical problem.
+#[derive(Clone, Copy)]
+pub(super) struct Arc<T> {
+    /// The arc on the auxiliary sphere in radians, σ₁₂.
+    pub sigma: T,
+    /// In metres.
+    pub distance: T,
+    /// In metres.
+    pub reduced: T,
+    pub scales: [T; 2],
+    pub alpha1: Angle<T>,
+    pub alpha2: Angle<T>,
+    /// The longitude difference on the auxiliary sphere, ω₁₂; none along a meridian.
+    pub omega: Option<Angle<T>>,
+}
+
+/// The square root of the smallest positive normal number: stands for a zero that a quotient must survive.
+pub(super) fn tiny<T: Real>() -> T {
+    T::pick(1.491_668_146_240_041_3e-154, 1.084_202_2e-19)
+}
+
+/// A latitude or azimuth in degrees with its smallest values, of no account on any planet, rounded to multiples of 2⁻⁵⁷ (2⁻²⁸) so that no
+/// product of theirs underflows.
+pub(super) fn rounded<T: Real>(degrees: T) -> T {
+    let step = T::of(1.0 / 16.0);
+    let size = degrees.abs();
+    let size = select(size < step, step - (step - size), size);
+    size.copysign(degrees)
+}
+
+impl<T: Real> Canonical<T> {
+    pub fn new(karney: &Karney<T>, from: LatLon<T>, to: LatLon<T>) -> Self {
+        let Split { angle: lon12, rest } = longitude_difference(from, to);
+        let mut lon_sign = T::ONE.copysign(lon12);
+        let (lon12, rest) = (lon12 * lon_sign, rest * lon_sign);
+        let (sin, cos) = Split { angle: lon12, rest }.sin_cos();
+        let (mut lat1, mut lat2) = (rounded(from.lat()), rounded(to.lat()));
+        let swap = select(lat1.abs() < lat2.abs(), -T::ONE, T::ONE);
+        if swap < T::ZERO {
+            lon_sign = -lon_sign;
+            (lat1, lat2) = (lat2, lat1);
+        }
+        let lat_sign = -T::ONE.copysign(lat1);
+        let (lat1, lat2) = (lat1 * lat_sign, lat2 * lat_sign);
+        let beta1 = karney.reduced(lat1);
+        let mut beta2 = karney.reduced(lat2);
+        // |β₁| = |β₂| exactly where rounding would hide it: the smaller of sine and cosine tells more.
+        if beta1.cos < -beta1.sin {
+            if beta2.cos == beta1.cos {
+                beta2.sin = beta1.sin.copysign(beta2.sin);
+            }
+        } else if beta2.sin.abs() == -beta1.sin {
+            beta2.cos = beta1.cos;
+        }
+        Self {
+            beta1,
+            beta2,
+            dn1: karney.dn(beta1.sin),
+            dn2: karney.dn(beta2.sin),
+            lambda: (lon12 + rest) * T::of(PI / 180.0),
+            lambda12: Angle { sin, cos },
+            supplement: (T::of(180.0) - lon12) - rest,
+            polar: lat1 == T::of(-90.0),
+            swap,
+            lon_sign,
+            lat_sign,
+        }
+    }
+
+    /// The sign that an area takes on the way back.
+    pub fn area_sign(&self) -> T {
+        self.swap * self.lon_sign * self.lat_sign
+    }
+
+    /// The azimuths (sine and cosine) and scales of the problem as it was put.
+    pub fn turned_back(&self, arc: &Arc<T>) -> ([Angle<T>; 2], [T; 2]) {
+        let turn = |alpha: Angle<T>| Angle {
+            sin: alpha.sin * (self.swap * self.lon_sign) + T::ZERO,
+            cos: alpha.cos * (self.swap * self.lat_sign) + T::ZERO,
+        };
+        let (one, two) = (turn(arc.alpha1), turn(arc.alpha2));
+        let [scale1, scale2] = arc.scales;
+        if self.swap < T::ZERO {
+            ([two, one], [scale2, scale1])
+        } else {
+            ([one, two], [scale1, scale2])
+        }
+    }
+
+    /// Solves the problem.
+    pub fn solve(&self, karney: &Karney<T>) -> Arc<T> {
+        if self.polar || self.lambda12.sin == T::ZERO {
+            if let Some(arc) = self.meridional(karney) {
+                return arc;
+            }
+        }
+        let f = karney.ellipsoid.f();
+        let equatorial = self.beta1.sin == T::ZERO;
+        if equatorial && (f <= T::ZERO || self.supplement >= f * T::of(180.0)) {
+            return self.equatorial(karney);
+        }
+        match self.start(karney) {
+            Start::Short(arc) => arc,
+            Start::Azimuth(alpha1) => self.iterate(karney, alpha1),
+        }
+    }
+
+    fn node1(&self, sigma: Angle<T>) -> Node<T> {
+        Node {
+            sigma,
+            cos_beta: self.beta1.cos,
+            dn: self.dn1,
+        }
+    }
+
+    fn node2(&self, sigma: Angle<T>) -> Node<T> {
+        Node {
+            sigma,
+            cos_beta: self.beta2.cos,
+            dn: self.dn2,
+        }
+    }
+
+    /// Along a meridian, unless a shorter way leaves it (prolate, nearly antipodal).
+    fn meridional(&self, karney: &Karney<T>) -> Option<Arc<T>> {
+        let alpha1 = Angle {
+            sin: self.lambda12.sin,
+            cos: self.lambda12.cos,
+        };
+        let alpha2 = Angle {
+            sin: T::ZERO,
+            cos: T::ONE,
+        };
+        let sigma1 = Angle {
+            sin: self.beta1.sin,
+            cos: alpha1.cos * self.beta1.cos,
+        };
+        let sigma2 = self.beta2;
+        let mut sigma = arc_between(sigma1, sigma2);
+        let lengths = karney.lengths(karney.ellipsoid.n(), sigma, self.node1(sigma1), self.node2(sigma2));
+        let (mut distance, mut reduced) = (lengths.distance, lengths.reduced);
+        // A small arc with a reduced length below 0 is only rounding.
+        if !(sigma < T::EPSILON.sqrt() || reduced >= T::ZERO) {
+            return None;
+        }
+        let negative = distance < T::ZERO || reduced < T::ZERO;
+        if sigma < T::of(3.0) * tiny::<T>() || (sigma < T::EPSILON && negative) {
+            (sigma, distance, reduced) = (T::ZERO, T::ZERO, T::ZERO);
+        }
+        let b = karney.ellipsoid.b();
+        Some(Arc {
+            sigma,
+            distance: distance * b,
+            reduced: reduced * b,
+            scales: lengths.scales,
+            alpha1,
+            alpha2,
+            omega: None,
+        })
+    }
+
+    /// Along the equator.
+    fn equatorial(&self, karney: &Karney<T>) -> Arc<T> {
+        let sigma = self.lambda / karney.axes;
+        let omega = Angle::radians(sigma);
+        let east = Angle {
+            sin: T::ONE,
+            cos: T::ZERO,
+        };
+        Arc {
+            sigma,
+            distance: karney.ellipsoid.a() * self.lambda,
+            reduced: karney.ellipsoid.b() * omega.sin,
+            scales: [omega.cos; 2],
+            alpha1: east,
+            alpha2: east,
+            omega: Some(omega),
+        }
+    }
+
+    /// Starting azimuth for Newton's method, or the answer itself for a short line (Karney §5).
+    fn start(&self, karney: &Karney<T>) -> Start<T> {
+        let (beta1, beta2) = (self.beta1, self.beta2);
+        // β₂ − β₁ in [0, π); β₂ + β₁ in (−π, 0].
+        let difference = beta2.minus(beta1);
+        let sum_sin = beta2.sin * beta1.cos + beta2.cos * beta1.sin;
+        let half = T::of(0.5);
+        let short = difference.cos >= T::ZERO && difference.sin < half && beta2.cos * self.lambda < half;
+        let mut dn = T::ONE;
+        let mut omega = self.lambda12;
+        if short {
+            // ω₁₂ = λ₁₂/((1 − f)dn) at the middle latitude, as λ₁₂ and a little more.
+            let sines = (beta1.sin + beta2.sin) * (beta1.sin + beta2.sin);
+            let cosines = (beta1.cos + beta2.cos) * (beta1.cos + beta2.cos);
+            let ellipsoid = karney.ellipsoid;
+            dn = (T::ONE + ellipsoid.ep2() * (sines / (sines + cosines))).sqrt();
+            let scale = karney.axes * dn;
+            let more = ellipsoid.e2() * (cosines / (sines + cosines)) / (scale * (T::ONE + scale));
+            omega = omega.plus(Angle::radians(self.lambda * more));
+        }
+        let versine = |c: T| omega.sin * omega.sin / (T::ONE + c);
+        let mut alpha1 = Angle {
+            sin: beta2.cos * omega.sin,
+            cos: if omega.cos >= T::ZERO {
+                difference.sin + beta2.cos * beta1.sin * versine(omega.cos)
+            } else {
+                sum_sin - beta2.cos * beta1.sin * versine(-omega.cos)
+            },
+        };
+        let sin12 = hypot(alpha1.sin, alpha1.cos);
+        let cos12 = beta1.sin * beta2.sin + beta1.cos * beta2.cos * omega.cos;
+        if short && sin12 < karney.short {
+            let bend = if omega.cos >= T::ZERO {
+                versine(omega.cos)
+            } else {
+                T::ONE - omega.cos
+            };
+            let alpha2 = Angle::of(beta1.cos * omega.sin, difference.sin - beta1.cos * beta2.sin * bend);
+            let sigma12 = atan2(sin12, cos12);
+            let along = Angle::radians(sigma12 / dn);
+            let b = karney.ellipsoid.b();
+            return Start::Short(Arc {
+                sigma: sigma12,
+                distance: sigma12 * dn * b,
+                reduced: dn * dn * b * along.sin,
+                scales: [along.cos; 2],
+                alpha1: Angle::of(alpha1.sin, alpha1.cos),
+                alpha2,
+                omega: Some(omega),
+            });
+        }
+        let n = karney.ellipsoid.n().abs();
+        let antipodal = cos12 < T::ZERO && sin12 < T::of(6.0 * PI) * n * beta1.cos * beta1.cos;
+        if antipodal {
+            alpha1 = self.antipodal(karney, sum_sin);
+        }
+        Start::Azimuth(if alpha1.sin > T::ZERO {
+            Angle::of(alpha1.sin, alpha1.cos)
+        } else {
+            Angle {
+                sin: T::ONE,
+                cos: T::ZERO,
+            }
+        })
+    }
+
+    /// Starting azimuth for nearly antipodal points: the astroid problem in scaled coordinates (Karney 53 to 58).
+    fn antipodal(&self, karney: &Karney<T>, sum_sin: T) -> Angle<T> {
+        let (beta1, beta2) = (self.beta1, self.beta2);
+        let f = karney.ellipsoid.f();
+        let pi = T::of(PI);
+        // λ₁₂ − π.
+        let lambda = atan2(-self.lambda12.sin, -self.lambda12.cos);
+        let oblate = f >= T::ZERO;
+        let (x, y, lambda_scale) = if oblate {
+            let epsilon = Series::epsilon(karney.ellipsoid.ep2() * beta1.sin * beta1.sin);
+            let scale = f * beta1.cos * karney.series.a3(epsilon) * pi;
+            (lambda / scale, sum_sin / (scale * beta1.cos), scale)
+        } else {
+            let sum_cos = beta2.cos * beta1.cos - beta2.sin * beta1.sin;
+            let sum = atan2(sum_sin, sum_cos);
+            let behind = Angle {
+                sin: beta1.sin,
+                cos: -beta1.cos,
+            };
+            let lengths = karney.lengths(karney.ellipsoid.n(), pi + sum, self.node1(behind), self.node2(beta2));
+            let x = lengths.reduced / (beta1.cos * beta2.cos * lengths.secular * pi) - T::ONE;
+            let beta_scale = if x < T::of(-0.01) {
+                sum_sin / x
+            } else {
+                -f * beta1.cos * beta1.cos * pi
+            };
+            let scale = beta_scale / beta1.cos;
+            (x, lambda / scale, scale)
+        };
+        let root = T::EPSILON.sqrt();
+        if y > T::of(-200.0) * T::EPSILON && x > -T::ONE - T::of(1000.0) * root {
+            // On the cut, where the geodesics are a family.
+            return if oblate {
+                let sin = min(T::ONE, -x);
+                Angle {
+                    sin,
+                    cos: -(T::ONE - sin * sin).sqrt(),
+                }
+            } else {
+                let limit = if x > T::of(-200.0) * T::EPSILON {
+                    T::ZERO
+                } else {
+                    -T::ONE
+                };
+                let cos = max(limit, x);
+                Angle {
+                    sin: (T::ONE - cos * cos).sqrt(),
+                    cos,
+                }
+            };
+        }
+        let k = astroid(x, y);
+        let small = lambda_scale
+            * if oblate {
+                -x * k / (T::ONE + k)
+            } else {
+                -y * (T::ONE + k) / k
+            };
+        let (sin, cos) = crate::math::sin_cos(small);
+        let (sin, cos) = (sin, -cos);
+        Angle {
+            sin: beta2.cos * sin,
+            cos: sum_sin - beta2.cos * beta1.sin * sin * sin / (T::ONE - cos),
+        }
+    }
+
+    /// Newton's method on λ₁₂(α₁), kept inside a bracket by bisection.
+    fn iterate(&self, karney: &Karney<T>, start: Angle<T>) -> Arc<T> {
+        let mut alpha1 = start;
+        let mut low = Angle {
+            sin: tiny::<T>(),
+            cos: T::ONE,
+        };
+        let mut high = Angle {
+            sin: tiny::<T>(),
+            cos: -T::ONE,
+        };
+        let newton_steps = 20;
+        let all_steps = newton_steps + T::terms(63, 34);
+        let mut nearly = false;
+        let mut narrow = false;
+        let mut step = 0;
+        let mut hybrid = self.hybrid(karney, alpha1, true);
+        loop {
+            let v = hybrid.excess;
+            let close = T::EPSILON * if nearly { T::of(8.0) } else { T::ONE };
+            let far = v.abs() >= close;
+            if narrow || !far || step == all_steps {
+                break;
+            }
+            let past = step > newton_steps;
+            if v > T::ZERO && (past || alpha1.cos * high.sin > high.cos * alpha1.sin) {
+                high = alpha1;
+            } else if v < T::ZERO && (past || alpha1.cos * low.sin < low.cos * alpha1.sin) {
+                low = alpha1;
+            }
+            step += 1;
+            let newton = (step <= newton_steps && hybrid.slope > T::ZERO)
+                .then(|| -v / hybrid.slope)
+                .filter(|turn| turn.abs() < T::of(PI))
+                .map(|turn| alpha1.plus(Angle::radians(turn)))
+                .filter(|next| next.sin > T::ZERO);
+            if let Some(next) = newton {
+                alpha1 = Angle::of(next.sin, next.cos);
+                nearly = v.abs() <= T::of(16.0) * T::EPSILON;
+            } else {
+                alpha1 = Angle::of((low.sin + high.sin) * T::of(0.5), (low.cos + high.cos) * T::of(0.5));
+                nearly = false;
+                let width = |end: Angle<T>| (end.sin - alpha1.sin).abs() + (end.cos - alpha1.cos).abs();
+                narrow = width(low) < T::EPSILON || width(high) < T::EPSILON;
+            }
+            hybrid = self.hybrid(karney, alpha1, step < newton_steps);
+        }
+        let lengths = karney.lengths(
+            hybrid.epsilon,
+            hybrid.sigma,
+            self.node1(hybrid.sigma1),
+            self.node2(hybrid.sigma2),
+        );
+        let b = karney.ellipsoid.b();
+        Arc {
+            sigma: hybrid.sigma,
+            distance: lengths.distance * b,
+            reduced: lengths.reduced * b,
+            scales: lengths.scales,
+            alpha1,
+            alpha2: hybrid.alpha2,
+            omega: Some(self.lambda12.minus(Angle::radians(hybrid.shift))),
+        }
+    }
+
+    /// The hybrid problem: where the geodesic from point 1 at α₁ meets the latitude of point 2 (Karney §4).
+    fn hybrid(&self, karney: &Karney<T>, alpha1: Angle<T>, slope: bool) -> Hybrid<T> {
+        let (beta1, beta2) = (self.beta1, self.beta2);
+        let mut alpha1 = alpha1;
+        if beta1.sin == T::ZERO && alpha1.cos == T::ZERO {
+            alpha1.cos = -tiny::<T>();
+        }
+        let sin_alpha0 = alpha1.sin * beta1.cos;
+        let cos_alpha0 = hypot(alpha1.cos, alpha1.sin * beta1.sin);
+        let omega1 = Angle {
+            sin: sin_alpha0 * beta1.sin,
+            cos: alpha1.cos * beta1.cos,
+        };
+        let sigma1 = Angle::of(beta1.sin, omega1.cos);
+        // Clairaut, and cos α₂ from it without the difference of squares.
+        let equal = beta2.cos == beta1.cos;
+        let sin_alpha2 = if equal { alpha1.sin } else { sin_alpha0 / beta2.cos };
+        let cos_alpha2 = if !equal || beta2.sin.abs() != -beta1.sin {
+            let gain = if beta1.cos < -beta1.sin {
+                (beta2.cos - beta1.cos) * (beta1.cos + beta2.cos)
+            } else {
+                (beta1.sin - beta2.sin) * (beta1.sin + beta2.sin)
+            };
+            let c = alpha1.cos * beta1.cos;
+            (c * c + gain).sqrt() / beta2.cos
+        } else {
+            alpha1.cos.abs()
+        };
+        let omega2 = Angle {
+            sin: sin_alpha0 * beta2.sin,
+            cos: cos_alpha2 * beta2.cos,
+        };
+        let sigma2 = Angle::of(beta2.sin, omega2.cos);
+        let sigma = arc_between(sigma1, sigma2);
+        let sin_omega = max(omega1.cos * omega2.sin - omega1.sin * omega2.cos, T::ZERO) + T::ZERO;
+        let cos_omega = omega1.cos * omega2.cos + omega1.sin * omega2.sin;
+        // ω₁₂ less the wanted λ₁₂.
+        let eta = atan2(
+            sin_omega * self.lambda12.cos - cos_omega * self.lambda12.sin,
+            cos_omega * self.lambda12.cos + sin_omega * self.lambda12.sin,
+        );
+        let epsilon = Series::epsilon(cos_alpha0 * cos_alpha0 * karney.ellipsoid.ep2());
+        let c3 = karney.series.c3(epsilon);
+        let bend = karney.series.sines(&c3, sigma2) - karney.series.sines(&c3, sigma1);
+        let shift = -karney.ellipsoid.f() * sin_alpha0 * (karney.series.a3(epsilon) * sigma + bend);
+        let slope = if !slope {
+            T::ZERO
+        } else if cos_alpha2 == T::ZERO {
+            T::of(-2.0) * karney.axes * self.dn1 / beta1.sin
+        } else {
+            let lengths = karney.lengths(epsilon, sigma, self.node1(sigma1), self.node2(sigma2));
+            lengths.reduced * karney.axes / (cos_alpha2 * beta2.cos)
+        };
+        Hybrid {
+            excess: eta + shift,
+            slope,
+            sigma,
+            sigma1,
+            sigma2,
+            alpha2: Angle {
+                sin: sin_alpha2,
+                cos: cos_alpha2,
+            },
+            epsilon,
+            shift,
+        }
+    }
+}
+
+enum Start<T> {
+    Short(Arc<T>),
+    Azimuth(Angle<T>),
+}
+
+struct Hybrid<T> {
+    /// λ₁₂(α₁) − λ₁₂, and its derivative by α₁ if it was asked for.
+    excess: T,
+    slope: T,
+    sigma: T,
+    sigma1: Angle<T>,
+    sigma2: Angle<T>,
+    alpha2: Angle<T>,
+    epsilon: T,
+    /// λ₁₂ − ω₁₂.
+    shift: T,
+}
+
+/// σ₂ − σ₁ in [0, π].
+fn arc_between<T: Real>(one: Angle<T>, two: Angle<T>) -> T {
+    let sin = max(one.cos * two.sin - one.sin * two.cos, T::ZERO) + T::ZERO;
+    atan2(sin, one.cos * two.cos + one.sin * two.sin)
+}

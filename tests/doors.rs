@@ -1,0 +1,972 @@
+//! The doors: what a constructor, a parser or a conversion lets in, what it refuses, and what it says then.
+//!
+//! Behind the doors everything is total: no NaN comes out of what was let in.
+#![allow(
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)] // a test may fail loudly
+
+use std::collections::BTreeSet;
+use std::error::Error;
+use std::fmt::{Debug, Display};
+use std::str::FromStr;
+
+use proptest::prelude::*;
+use proptest::sample::select;
+use proptest::strategy::Union;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use terrella::cube::{
+    CubeMap, CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Projection,
+    UnknownProjection,
+};
+use terrella::latitude::{Conversion, InvalidLatitude, UnknownLatitude, UnknownShift, UnsupportedFlattening};
+use terrella::{
+    Direction, Ellipsoid, InvalidDirection, InvalidEllipsoid, InvalidLatLon, LatLon, Latitude, NAMED, Real, Shift,
+    Shifted,
+};
+
+trait Scalar: Real + Into<f64> + Debug {
+    const NAME: &'static str;
+    const MAX: Self;
+    const MIN_POSITIVE: Self;
+    fn from_raw(bits: u64) -> Self;
+    fn bits(self) -> u64;
+    /// The next larger number, of a finite one; of infinity, NaN.
+    fn above(self) -> Self;
+}
+
+macro_rules! scalar {
+    ($($float:ident $bits:ident)*) => {$(
+        impl Scalar for $float {
+            const NAME: &'static str = stringify!($float);
+            const MAX: Self = $float::MAX;
+            const MIN_POSITIVE: Self = $float::MIN_POSITIVE;
+            fn from_raw(bits: u64) -> Self {
+                $float::from_bits(bits as $bits)
+            }
+            fn bits(self) -> u64 {
+                self.to_bits().into()
+            }
+            fn above(self) -> Self {
+                if self == 0.0 {
+                    return Self::from_bits(1);
+                }
+                let bits = self.to_bits();
+                Self::from_bits(if self > 0.0 { bits + 1 } else { bits - 1 })
+            }
+        }
+    )*};
+}
+scalar!(f32 u32 f64 u64);
+
+/// Any bits at all, ordinary numbers, and those where something happens.
+fn anything<T: Scalar>() -> impl Strategy<Value = T> {
+    let special = [0.0, 1.0, 2.0, 45.0, 90.0, 180.0, 360.0, 540.0, f64::INFINITY, f64::NAN];
+    let mut special = special.map(T::of).to_vec();
+    special.extend([T::MAX, T::MIN_POSITIVE, T::from_raw(1), T::EPSILON]);
+    let positive = special.clone();
+    special.extend(positive.iter().map(|v| v.above()));
+    special.extend(positive.iter().map(|v| -*v));
+    Union::new([
+        any::<u64>().prop_map(T::from_raw).boxed(),
+        select(special).boxed(),
+        (-1.0..1.0).prop_map(T::of).boxed(),
+        (-1000.0..1000.0).prop_map(T::of).boxed(),
+    ])
+}
+
+/// Runs a property over many inputs, the same ones every time.
+fn check<S: Strategy>(strategy: S, property: impl Fn(S::Value) -> Result<(), TestCaseError>) {
+    let config = Config {
+        cases: 20_000,
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
+    if let Err(failure) = runner.run(&strategy, property) {
+        panic!("{failure}");
+    }
+}
+
+fn same<T: Scalar>(a: T, b: T) -> bool {
+    a.bits() == b.bits() || (a.into().is_nan() && b.into().is_nan())
+}
+
+/// lon less the multiple of 360 that leaves it in [−180, 180], in whole numbers; 180 with the sign of lon.
+fn wrapped(lon: f64) -> f64 {
+    if lon.abs() <= 180.0 {
+        return lon;
+    }
+    let bits = lon.to_bits();
+    let exponent = ((bits >> 52) & 0x7FF) as i32 - 1075;
+    let significand = u128::from(bits & ((1 << 52) - 1) | 1 << 52);
+    // |lon| = significand · 2^exponent.
+    let (rest, circle, unit) = if exponent >= 0 {
+        let power = (0..exponent).fold(1, |power, _| power * 2 % 360);
+        (significand % 360 * power % 360, 360, 1.0)
+    } else {
+        let circle = 360 << -exponent;
+        (significand % circle, circle, 2f64.powi(exponent))
+    };
+    let signed = if rest > circle / 2 {
+        -((circle - rest) as f64)
+    } else {
+        rest as f64
+    };
+    signed * unit * lon.signum()
+}
+
+fn lat_lon_door<T: Scalar>() {
+    check((anything::<T>(), anything::<T>()), |(lat, lon)| {
+        let (exact_lat, exact_lon) = (lat.into(), lon.into());
+        match LatLon::new(lat, lon) {
+            Ok(p) => {
+                prop_assert!(exact_lat.abs() <= 90.0 && exact_lon.is_finite());
+                prop_assert!(same(p.lat(), lat));
+                prop_assert_eq!(p.lon().into(), wrapped(exact_lon));
+                if exact_lon.abs() <= 180.0 {
+                    prop_assert!(same(p.lon(), lon));
+                }
+            }
+            Err(InvalidLatLon::Latitude(refused)) => {
+                prop_assert!(exact_lat.abs() > 90.0 || exact_lat.is_nan());
+                prop_assert!(same(refused, lat));
+            }
+            Err(InvalidLatLon::Longitude(refused)) => {
+                prop_assert!(exact_lat.abs() <= 90.0 && !exact_lon.is_finite());
+                prop_assert!(same(refused, lon));
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn lat_lon_takes_latitudes_between_the_poles_and_wraps_exactly() {
+    lat_lon_door::<f64>();
+    lat_lon_door::<f32>();
+}
+
+#[test]
+fn longitude_wraps_as_by_hand() {
+    for (lon, expected) in [
+        (180.0, 180.0),
+        (-180.0, -180.0),
+        (181.0, -179.0),
+        (-181.0, 179.0),
+        (359.5, -0.5),
+        (360.0, 0.0),
+        (540.0, 180.0),
+        (-540.0, -180.0),
+        (720.25, 0.25),
+        (36_000_000_000_045.0, 45.0),
+    ] {
+        assert_eq!(LatLon::new(0.0, lon).unwrap().lon(), expected, "{lon}");
+        assert_eq!(wrapped(lon), expected, "{lon}: the test itself");
+    }
+}
+
+/// A vector scaled by a power of two to a largest component in [½, 2): exact.
+fn scaled<T: Scalar>(v: [T; 3]) -> [f64; 3] {
+    let v = v.map(Into::<f64>::into);
+    let largest = v.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    let shift = -largest.log2().floor() as i32;
+    // In two steps, as 2^1074 is no number.
+    v.map(|c| c * 2f64.powi(shift / 2) * 2f64.powi(shift - shift / 2))
+}
+
+/// a·b − c·d to within two roundings of the result (Kahan).
+fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let product = c * d;
+    let lost = c.mul_add(-d, product);
+    a.mul_add(b, -product) + lost
+}
+
+/// The length of a × b.
+fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> f64 {
+    let x = difference_of_products(ay, bz, az, by);
+    let y = difference_of_products(az, bx, ax, bz);
+    let z = difference_of_products(ax, by, ay, bx);
+    (x * x + y * y + z * z).sqrt()
+}
+
+/// |v|² − 1 without rounding that counts.
+fn excess(v: [f64; 3]) -> f64 {
+    let (mut sum, mut low) = (-1.0, 0.0);
+    for c in v {
+        let square = c * c;
+        low += c.mul_add(c, -square);
+        let next = sum + square;
+        let part = next - sum;
+        low += (sum - (next - part)) + (square - part);
+        sum = next;
+    }
+    sum + low
+}
+
+fn judge_direction<T: Scalar>([x, y, z]: [T; 3]) -> Result<(), TestCaseError> {
+    let v = [x, y, z].map(Into::<f64>::into);
+    let valid = v.iter().all(|c| c.is_finite()) && v != [0.0; 3];
+    match Direction::new(x, y, z) {
+        Ok(direction) => {
+            prop_assert!(valid);
+            let unit = direction.to_array();
+            let epsilon = T::EPSILON.into();
+            let exact = unit.map(Into::<f64>::into);
+            // Half of 4 ε, within which a vector is kept as it is, and the rounding of its square.
+            prop_assert!(
+                0.5 * excess(exact).abs() <= 2.75 * epsilon,
+                "{unit:?} is no unit vector"
+            );
+            let v = scaled([x, y, z]);
+            let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
+            prop_assert!(cross(exact, v) <= 2.0 * epsilon * length, "{unit:?} is elsewhere");
+            for i in 0..3 {
+                prop_assert_eq!(exact[i].is_sign_negative(), v[i].is_sign_negative());
+            }
+            let [x, y, z] = unit;
+            prop_assert_eq!(Direction::new(x, y, z), Ok(direction), "not kept");
+        }
+        Err(InvalidDirection { x: rx, y: ry, z: rz }) => {
+            prop_assert!(!valid);
+            prop_assert!(same(rx, x) && same(ry, y) && same(rz, z));
+        }
+    }
+    Ok(())
+}
+
+fn direction_door<T: Scalar>() {
+    check([anything::<T>(), anything::<T>(), anything::<T>()], judge_direction);
+    // Next to unit vectors, on both sides of where a vector is kept as it is.
+    let near_unit = ([-1.0..1.0, -1.0..1.0, -1.0..1.0], -20..20).prop_map(|(v, steps)| {
+        let length = v.iter().map(|c: &f64| c * c).sum::<f64>().sqrt();
+        let stretch = 1.0 + 0.5 * f64::from(steps) * T::EPSILON.into();
+        v.map(|c| T::of(c / length * stretch))
+    });
+    check(near_unit, judge_direction);
+}
+
+#[test]
+fn direction_takes_vectors_of_any_length() {
+    direction_door::<f64>();
+    direction_door::<f32>();
+}
+
+fn lengths<T: Scalar>() {
+    let tiny = T::from_raw(1);
+    let third = T::of(1.0 / 3.0f64.sqrt());
+    for length in [T::MAX, T::MIN_POSITIVE, tiny, T::of(1e30), T::of(1e-30), T::ONE] {
+        for sign in [T::ONE, -T::ONE] {
+            let v = length * sign;
+            let along = Direction::new(T::ZERO, v, T::ZERO).unwrap();
+            assert_eq!(along.to_array(), [T::ZERO, sign, T::ZERO], "{v:?}");
+            let [x, y, z] = Direction::new(v, v, v).unwrap().to_array();
+            assert!(x == y && y == z, "{v:?}");
+            assert!((x - third * sign).abs() <= T::EPSILON, "{v:?} {x:?}");
+        }
+    }
+    // 3 : 4 : 5, exact at any power of two.
+    for power in [-120, -60, -1, 0, 1, 60, 120] {
+        let unit = T::of(2f64.powi(power));
+        let direction = Direction::new(T::of(3.0) * unit, T::ZERO, T::of(-4.0) * unit).unwrap();
+        assert_eq!(direction.to_array(), [T::of(0.6), T::ZERO, T::of(-0.8)], "2^{power}");
+    }
+}
+
+#[test]
+fn direction_at_the_ends_of_the_range() {
+    lengths::<f64>();
+    lengths::<f32>();
+}
+
+fn face_point_door<T: Scalar>() {
+    check((0..6u8, anything::<T>(), anything::<T>()), |(index, x, y)| {
+        let face = Face::from_index(index).unwrap();
+        let valid = x.into().abs() <= 1.0 && y.into().abs() <= 1.0;
+        match FacePoint::new(face, x, y) {
+            Ok(p) => prop_assert!(valid && p.face() == face && same(p.x(), x) && same(p.y(), y)),
+            Err(InvalidFacePoint { x: rx, y: ry }) => prop_assert!(!valid && same(rx, x) && same(ry, y)),
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn face_point_takes_the_square() {
+    face_point_door::<f64>();
+    face_point_door::<f32>();
+}
+
+#[test]
+fn face_takes_0_to_5() {
+    for index in 0..=u8::MAX {
+        match Face::from_index(index) {
+            Ok(face) => assert!(index < 6 && face.index() == index && Face::ALL[usize::from(index)] == face),
+            Err(InvalidFace(refused)) => assert!(index >= 6 && refused == index),
+        }
+    }
+}
+
+fn ellipsoid_door<T: Scalar>() {
+    check((anything::<T>(), anything::<T>()), |(a, f)| {
+        let (axis, flattening) = (T::of(1e-15)..=T::of(1e15), T::of(-1000.0)..T::ONE);
+        match Ellipsoid::new(a, f) {
+            Ok(e) => {
+                prop_assert!(axis.contains(&a) && flattening.contains(&f));
+                prop_assert!(same(e.a(), a) && same(e.f(), f));
+                let radii = [e.b(), e.mean_radius(), e.authalic_radius(), e.volumetric_radius()];
+                prop_assert!(
+                    radii.iter().all(|r| r.is_finite() && *r > T::ZERO),
+                    "{:?} {:?}",
+                    e,
+                    radii
+                );
+                prop_assert!([e.n(), e.e2(), e.ep2()].iter().all(|v| v.is_finite()), "{:?}", e);
+            }
+            Err(InvalidEllipsoid::SemiMajorAxis(refused)) => {
+                prop_assert!(!axis.contains(&a));
+                prop_assert!(same(refused, a));
+            }
+            Err(InvalidEllipsoid::Flattening(refused)) => {
+                prop_assert!(axis.contains(&a) && !flattening.contains(&f));
+                prop_assert!(same(refused, f));
+            }
+        }
+        let sphere = Ellipsoid::new(a, T::ZERO);
+        match Ellipsoid::sphere(a) {
+            Ok(e) => prop_assert_eq!(Ok(e), sphere),
+            Err(InvalidEllipsoid::SemiMajorAxis(refused)) => prop_assert!(sphere.is_err() && same(refused, a)),
+            Err(other) => prop_assert!(false, "{:?}", other),
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn ellipsoid_takes_axes_and_flattenings_in_range() {
+    ellipsoid_door::<f64>();
+    ellipsoid_door::<f32>();
+}
+
+#[track_caller]
+fn near(value: f64, truth: f64, relative: f64) {
+    assert!(
+        (value - truth).abs() <= relative * truth.abs(),
+        "{value:e} is not {truth:e} within {relative:e}"
+    );
+}
+
+#[test]
+fn wgs84_has_the_published_constants() {
+    let e = Ellipsoid::<f64>::wgs84();
+    let ulp = f64::EPSILON;
+    near(e.b(), 6_356_752.314_245_179, ulp);
+    near(e.e2(), 6.694_379_990_141_317_057_34e-3, ulp);
+    near(e.ep2(), 6.739_496_742_276_434_954_78e-3, 2.0 * ulp);
+    near(e.n(), 1.679_220_386_383_704_255_46e-3, 2.0 * ulp);
+    let tenth_of_a_millimetre = |value: f64| (value * 1e4).round() / 1e4;
+    assert_eq!(tenth_of_a_millimetre(e.mean_radius()), 6_371_008.771_4);
+    assert_eq!(tenth_of_a_millimetre(e.authalic_radius()), 6_371_007.180_9);
+    assert_eq!(tenth_of_a_millimetre(e.volumetric_radius()), 6_371_000.790_0);
+}
+
+#[test]
+fn grs80_has_the_published_constants() {
+    // Moritz (2000), Geodetic Reference System 1980.
+    let e = Ellipsoid::<f64>::grs80();
+    near(e.b(), 6_356_752.314_1, 1e-11);
+    near(e.e2(), 0.006_694_380_022_90, 1e-12);
+    near(e.ep2(), 0.006_739_496_775_48, 1e-12);
+    near(e.mean_radius(), 6_371_008.771_4, 2e-11);
+    near(e.authalic_radius(), 6_371_007.181_0, 2e-11);
+    near(e.volumetric_radius(), 6_371_000.790_0, 2e-11);
+}
+
+#[test]
+fn single_precision_constants_are_those_of_double() {
+    for &name in NAMED {
+        let (e, truth) = (
+            Ellipsoid::<f32>::named(name).unwrap(),
+            Ellipsoid::<f64>::named(name).unwrap(),
+        );
+        // In terms of the flattening as rounded: that is what the value holds.
+        let rounded = Ellipsoid::new(f64::from(e.a()), f64::from(e.f())).unwrap();
+        let ulp = f64::from(f32::EPSILON);
+        near(e.a().into(), truth.a(), ulp);
+        near(e.f().into(), truth.f(), ulp);
+        near(e.b().into(), rounded.b(), 2.0 * ulp);
+        near(e.n().into(), rounded.n(), 2.0 * ulp);
+        near(e.e2().into(), rounded.e2(), 2.0 * ulp);
+        near(e.ep2().into(), rounded.ep2(), 4.0 * ulp);
+        near(e.mean_radius().into(), rounded.mean_radius(), 2.0 * ulp);
+        near(e.authalic_radius().into(), rounded.authalic_radius(), 2.0 * ulp);
+        near(e.volumetric_radius().into(), rounded.volumetric_radius(), 2.0 * ulp);
+    }
+}
+
+#[test]
+fn a_sphere_has_one_radius() {
+    for radius in [1.0, 1_737_400.0, 1e-15, 1e15] {
+        let e = Ellipsoid::sphere(radius).unwrap();
+        assert_eq!([e.f(), e.n(), e.e2(), e.ep2()], [0.0; 4]);
+        assert_eq!([e.a(), e.b(), e.mean_radius(), e.authalic_radius()], [radius; 4]);
+        near(e.volumetric_radius(), radius, f64::EPSILON);
+    }
+}
+
+/// Against textbook forms other than the crate's, in a and b.
+#[test]
+fn derived_constants_of_oblate_and_prolate() {
+    let mut rng = fastrand::Rng::with_seed(40);
+    for i in 0..10_000 {
+        let (a, f) = (
+            10.0 + 90.0 * rng.f64(),
+            if i % 2 == 0 { 0.9 * rng.f64() } else { -5.0 * rng.f64() },
+        );
+        let e = Ellipsoid::new(a, f).unwrap();
+        let b = e.b();
+        near(b, a - a * f, 1e-14);
+        near(e.n() + 2.0, (a - b) / (a + b) + 2.0, 1e-14);
+        near(e.e2() + 60.0, (a * a - b * b) / (a * a) + 60.0, 1e-14);
+        near(e.ep2() + 200.0, (a * a - b * b) / (b * b) + 200.0, 1e-13);
+        near(e.mean_radius(), (2.0 * a + b) / 3.0, 1e-14);
+        near(e.volumetric_radius(), (a * a * b).cbrt(), 1e-14);
+        // Half of 1/4π of the surface: πa²·(…) by the eccentricity of the meridian.
+        let area = if a > b {
+            let ecc = (1.0 - (b / a).powi(2)).sqrt();
+            a * a + b * b * ecc.atanh() / ecc
+        } else {
+            let ecc = (1.0 - (a / b).powi(2)).sqrt();
+            a * a + a * b * ecc.asin() / ecc
+        };
+        if f.abs() > 1e-3 {
+            near(e.authalic_radius(), (area / 2.0).sqrt(), 1e-12);
+        }
+    }
+}
+
+fn radii_between_axes<T: Scalar>() {
+    let mut rng = fastrand::Rng::with_seed(41);
+    for i in 0..20_000 {
+        let size = 10f64.powf(if i % 2 == 0 {
+            -17.0 * rng.f64()
+        } else {
+            3.0 * rng.f64() - 3.0
+        });
+        let f = T::of(if rng.bool() { -size } else { size.min(0.9999) });
+        let e = Ellipsoid::new(T::of(6.4e6), f).unwrap();
+        let (a, b) = (e.a().into(), e.b().into());
+        let room = 1.0 + 4.0 * T::EPSILON.into();
+        for radius in [e.mean_radius(), e.authalic_radius(), e.volumetric_radius()].map(Into::<f64>::into) {
+            assert!(
+                radius >= a.min(b) / room && radius <= a.max(b) * room,
+                "{} {e:?}: {radius} is not between {a} and {b}",
+                T::NAME
+            );
+        }
+        assert!(e.n().into() * e.f().into() >= 0.0 && e.n().into().abs() < 1.0, "{e:?}");
+    }
+}
+
+#[test]
+fn radii_lie_between_the_axes() {
+    radii_between_axes::<f64>();
+    radii_between_axes::<f32>();
+}
+
+#[test]
+fn named_ellipsoids() {
+    // a, and the number that defines the shape: 1/f, or b.
+    for (name, a, inverse_flattening, b) in [
+        ("wgs84", 6_378_137.0, Some(298.257_223_563), None),
+        ("grs80", 6_378_137.0, Some(298.257_222_101), None),
+        ("clarke1866", 6_378_206.4, None, Some(6_356_583.8)),
+        ("international1924", 6_378_388.0, Some(297.0), None),
+        ("airy1830", 6_377_563.396, Some(299.324_964_6), None),
+        ("bessel1841", 6_377_397.155, Some(299.152_812_8), None),
+        ("moon", 1_737_400.0, None, Some(1_737_400.0)),
+        ("mars", 3_396_190.0, Some(169.894_447_2), None),
+    ] {
+        let e = Ellipsoid::<f64>::named(name).unwrap_or_else(|| panic!("{name}"));
+        assert_eq!(e.a(), a, "{name}");
+        if let Some(inverse) = inverse_flattening {
+            near(1.0 / e.f(), inverse, 2.0 * f64::EPSILON);
+        }
+        if let Some(b) = b {
+            near(e.b(), b, f64::EPSILON);
+        }
+    }
+    assert_eq!(NAMED.len(), NAMED.iter().collect::<BTreeSet<_>>().len(), "a name twice");
+    for &name in NAMED {
+        let e = Ellipsoid::<f64>::named(name).unwrap_or_else(|| panic!("{name} is listed, not known"));
+        assert_eq!(Ellipsoid::new(e.a(), e.f()), Ok(e), "{name} would be refused");
+    }
+    for unknown in ["", "WGS84", "wgs 84", "wgs84 ", "earth"] {
+        assert_eq!(Ellipsoid::<f64>::named(unknown), None, "{unknown:?}");
+    }
+}
+
+/// −1/9 to 1/10 for the series, −1 to ½ for the ratios of tangents, anything for the geodetic latitude.
+fn flattenings<T: Scalar>(shift: Shift) {
+    let (low, high) = match shift {
+        Shift::Geodetic => (f64::NEG_INFINITY, 1.0),
+        Shift::Geocentric | Shift::Parametric => (-1.0, 0.5),
+        Shift::Authalic | Shift::Conformal | Shift::Rectifying => (-1.0 / 9.0, 0.1),
+    };
+    for f in [
+        0.0,
+        1e-3,
+        -1e-3,
+        0.0999,
+        0.1,
+        0.1001,
+        0.4999,
+        0.5,
+        0.5001,
+        0.99,
+        -0.1111,
+        -1.0 / 9.0,
+        -0.1112,
+        -0.9999,
+        -1.0,
+    ]
+    .into_iter()
+    .chain([-1.0001, -10.0, -1000.0])
+    {
+        let f = T::of(f);
+        let ellipsoid = Ellipsoid::new(T::ONE, f).unwrap();
+        let refusal = Err(UnsupportedFlattening(f));
+        let accepted = f >= T::of(low) && f <= T::of(high);
+        let context = || format!("{} {shift} f = {f:?}", T::NAME);
+        let shifted = Shifted::new(ellipsoid, shift);
+        let map = CubeMap::new(ellipsoid, shift, Projection::Adjusted);
+        if accepted {
+            let shifted = shifted.unwrap_or_else(|why| panic!("{}: {why}", context()));
+            assert_eq!((shifted.ellipsoid(), shifted.shift()), (ellipsoid, shift));
+            let map = map.unwrap_or_else(|why| panic!("{}: {why}", context()));
+            assert_eq!((map.shifted(), map.projection()), (shifted, Projection::Adjusted));
+        } else {
+            assert_eq!(shifted.map(|_| ()), refusal, "{}", context());
+            assert_eq!(map.map(|_| ()), refusal, "{}", context());
+        }
+        for (from, to) in [(Latitude::Geodetic, shift.into()), (shift.into(), Latitude::Geodetic)] {
+            let conversion = Conversion::new(ellipsoid, from, to).map(|_| ());
+            assert_eq!(conversion, if accepted { Ok(()) } else { refusal }, "{}", context());
+        }
+    }
+}
+
+#[test]
+fn flattenings_beyond_a_formula_are_refused() {
+    for &shift in Shift::ALL {
+        flattenings::<f64>(shift);
+        flattenings::<f32>(shift);
+    }
+    let flat = Ellipsoid::new(1.0, 0.2).unwrap();
+    let isometric = |from, to| Conversion::new(flat, from, to).map(|_| ());
+    assert_eq!(
+        isometric(Latitude::Isometric, Latitude::Geodetic),
+        Err(UnsupportedFlattening(0.2))
+    );
+    // One is a function of the other, whatever the ellipsoid.
+    assert_eq!(isometric(Latitude::Isometric, Latitude::Conformal), Ok(()));
+}
+
+fn latitude_door<T: Scalar>() {
+    let quarter = T::of(std::f64::consts::FRAC_PI_2);
+    for &from in Latitude::ALL {
+        for &to in Latitude::ALL {
+            let conversion = Conversion::new(Ellipsoid::<T>::wgs84(), from, to).unwrap();
+            let isometric = from == Latitude::Isometric;
+            let judge = |value: T, limit: T, result: Result<T, InvalidLatitude<T>>| {
+                let valid = if isometric {
+                    !value.into().is_nan()
+                } else {
+                    value.abs() <= limit
+                };
+                match result {
+                    Ok(converted) => {
+                        assert!(valid, "{from} {value:?} was taken");
+                        assert!(!converted.into().is_nan(), "{from} {value:?} gave NaN for {to}");
+                        assert!(
+                            to == Latitude::Isometric || converted.abs() <= limit,
+                            "{from} {value:?} gave {converted:?} for {to}"
+                        );
+                    }
+                    Err(InvalidLatitude(refused)) => {
+                        assert!(!valid && same(refused, value), "{from} {value:?} was refused");
+                    }
+                }
+            };
+            let mut values = [0.0, 1.0, 30.0, 45.0, 60.0, 1e-300, 1e30, f64::INFINITY, f64::NAN]
+                .map(T::of)
+                .to_vec();
+            for limit in [T::of(90.0), quarter] {
+                values.extend([limit, limit.above(), limit * T::of(0.5), limit - T::EPSILON]);
+            }
+            values.extend([T::MIN_POSITIVE, T::from_raw(1), T::MAX]);
+            for value in values.iter().flat_map(|&v| [v, -v]) {
+                judge(value, T::of(90.0), conversion.degrees(value));
+                judge(value, quarter, conversion.radians(value));
+            }
+        }
+    }
+}
+
+#[test]
+fn latitudes_beyond_the_poles_are_refused() {
+    latitude_door::<f64>();
+    latitude_door::<f32>();
+}
+
+/// Each name reads back, no two are alike, and near misses are refused with the list of what is known.
+fn names<T>(all: &[T], name: impl Fn(T) -> &'static str)
+where
+    T: Copy + PartialEq + Debug + Display + FromStr<Err: Error>,
+{
+    let mut seen = BTreeSet::new();
+    for &kind in all {
+        let own = name(kind);
+        assert!(own.parse::<T>().is_ok_and(|parsed| parsed == kind), "{own}");
+        assert_eq!(kind.to_string(), own);
+        assert_eq!(format!("[{kind:>20}]"), format!("[{own:>20}]"), "width is ignored");
+        assert!(seen.insert(own), "{own} twice");
+        assert!(
+            own.bytes()
+                .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-'),
+            "{own}"
+        );
+    }
+    for wrong in [
+        "",
+        " ",
+        "nonsense",
+        &format!("{} ", all[0]),
+        &all[0].to_string().to_uppercase(),
+    ] {
+        let Err(unknown) = wrong.parse::<T>() else {
+            panic!("{wrong:?} was taken");
+        };
+        let text = one_line(unknown);
+        for own in &seen {
+            assert!(text.split(' ').any(|word| word == *own), "{text} lacks {own}");
+        }
+    }
+}
+
+#[test]
+fn names_read_back() {
+    names(Projection::ALL, Projection::name);
+    names(Shift::ALL, Shift::name);
+    names(Latitude::ALL, Latitude::name);
+    for &shift in Shift::ALL {
+        assert_eq!(Latitude::from(shift).name(), shift.name());
+    }
+    assert_eq!(Shift::default(), Shift::Authalic);
+}
+
+/// An error's text, after a look at its form.
+fn one_line(error: impl Error) -> String {
+    let text = error.to_string();
+    assert!(!text.is_empty() && !text.contains('\n'), "{text:?}");
+    assert_eq!(text, text.trim(), "blanks around {text:?}");
+    assert!(error.source().is_none(), "{text}");
+    text
+}
+
+#[test]
+fn errors_say_the_value_in_one_line() {
+    fn says(error: impl Error, values: &[&str]) {
+        let text = one_line(error);
+        for value in values {
+            assert!(text.contains(value), "{text:?} does not say {value}");
+        }
+    }
+    says(LatLon::new(-90.5, 0.0).unwrap_err(), &["latitude", "-90.5"]);
+    says(LatLon::new(f32::NAN, 0.0).unwrap_err(), &["latitude", "NaN"]);
+    says(LatLon::new(0.0, f64::INFINITY).unwrap_err(), &["longitude", "inf"]);
+    says(Direction::new(0.0, -0.0, 0.0).unwrap_err(), &["0.0", "-0.0"]);
+    says(
+        Direction::new(1.5, f32::NAN, f32::NEG_INFINITY).unwrap_err(),
+        &["1.5", "NaN", "-inf"],
+    );
+    says(Ellipsoid::new(-6.5, 0.0).unwrap_err(), &["axis", "-6.5"]);
+    says(Ellipsoid::new(1.0, 1.25_f32).unwrap_err(), &["flattening", "1.25"]);
+    says(Face::from_index(77).unwrap_err(), &["77"]);
+    says(FacePoint::new(Face::Top, 1.5, -2e300).unwrap_err(), &["1.5", "-2e300"]);
+    says(InvalidNumbered::<f64>::Face(InvalidFace(9)), &["9"]);
+    says(
+        InvalidNumbered::Point(InvalidFacePoint { x: 3.5, y: 4.5 }),
+        &["3.5", "4.5"],
+    );
+    says(UnsupportedFlattening(0.75), &["0.75"]);
+    says(InvalidLatitude(90.25), &["90.25"]);
+    says(UnknownProjection, &["healpix", "s2-quadratic"]);
+    says(UnknownShift, &["authalic"]);
+    says(UnknownLatitude, &["isometric"]);
+}
+
+/// What has passed a door meets no NaN behind it.
+fn total<T: Scalar>() {
+    let shifts = Shift::ALL
+        .iter()
+        .map(|&shift| Shifted::new(Ellipsoid::<T>::wgs84(), shift).unwrap());
+    let shifts: Vec<_> = shifts.collect();
+    check((anything::<T>(), anything::<T>()), |(lat, lon)| {
+        let Ok(place) = LatLon::new(lat, lon) else {
+            return Ok(());
+        };
+        for shifted in &shifts {
+            let direction = shifted.to_direction(place);
+            prop_assert!(excess(direction.to_array().map(Into::into)).abs() <= 8.0 * T::EPSILON.into());
+            let back = shifted.to_lat_lon(direction);
+            prop_assert!(back.lat().into().abs() <= 90.0, "{:?} {:?}", shifted.shift(), back);
+            prop_assert!(back.lon().into().abs() <= 180.0, "{:?} {:?}", shifted.shift(), back);
+        }
+        Ok(())
+    });
+    check((anything::<T>(), anything::<T>(), anything::<T>()), |(x, y, z)| {
+        if let Ok(direction) = Direction::new(x, y, z) {
+            let place = direction.to_lat_lon();
+            prop_assert!(place.lat().into().abs() <= 90.0 && place.lon().into().abs() <= 180.0);
+            for &projection in Projection::ALL {
+                // Not `project`, whose bounds would hide a NaN.
+                let face = projection.face(direction);
+                let point = projection.forward(face, face.to_local(direction.to_array()));
+                let limit = 1.0 + T::EPSILON.into();
+                prop_assert!(point.iter().all(|&c| c.into().abs() <= limit), "{projection} {point:?}");
+            }
+        }
+        Ok(())
+    });
+    check((0..6u8, anything::<T>(), anything::<T>()), |(index, x, y)| {
+        if let Ok(point) = FacePoint::new(Face::from_index(index).unwrap(), x, y) {
+            for &projection in Projection::ALL {
+                let unit = projection.unproject(point).to_array();
+                prop_assert!(
+                    excess(unit.map(Into::into)).abs() <= 6.0 * T::EPSILON.into(),
+                    "{projection} {unit:?}"
+                );
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn no_nan_behind_the_doors() {
+    total::<f64>();
+    total::<f32>();
+}
+
+fn exact_angles<T: Scalar>() {
+    let place = |lat: i32, lon: i32| LatLon::new(T::of(f64::from(lat)), T::of(f64::from(lon))).unwrap();
+    let back = |place: LatLon<T>| place.to_direction().to_lat_lon();
+    let there = |lat, lon| {
+        let there = place(lat, lon);
+        (there, back(there), format!("{} {lat} {lon}", T::NAME))
+    };
+    // Sine and cosine of these are equal or 0, and the arc tangent is exact on axes and diagonals.
+    for lon in (-180..=180).step_by(45) {
+        let (place, back, context) = there(0, lon);
+        assert_eq!(back, place, "{context}");
+    }
+    for lon in (-180..=180).step_by(90) {
+        for lat in [-45, 0, 45] {
+            let (place, back, context) = there(lat, lon);
+            assert_eq!(back, place, "{context}");
+        }
+    }
+    for lon in (-180..=180).step_by(15) {
+        for lat in [-90, 90] {
+            let (place, back, context) = there(lat, lon);
+            assert_eq!(back.lat(), place.lat(), "{context}");
+            assert_eq!(
+                place.to_direction().to_array(),
+                [T::ZERO, T::ZERO, T::of(f64::from(lat.signum()))],
+                "{context}"
+            );
+        }
+    }
+    // The others within the rounding of the unit vector: an ulp of 90.
+    let ulp = 64.0 * T::EPSILON.into();
+    for lat in (-75..=75).step_by(15) {
+        for lon in (-180..=180).step_by(15) {
+            let (place, back, context) = there(lat, lon);
+            let off = [back.lat() - place.lat(), back.lon() - place.lon()].map(|v| v.into().abs());
+            assert!(off[0] <= ulp && off[1] <= ulp, "{context}: {back:?}");
+        }
+    }
+}
+
+#[test]
+fn right_angles_and_their_halves_come_back_exactly() {
+    exact_angles::<f64>();
+    exact_angles::<f32>();
+}
+
+/// As documented: the longitude of a pole is 0 or ±180.
+#[test]
+
+fn a_pole_has_longitude_0_or_180() {
+    for lat in [-90.0, 90.0] {
+        for lon in [-180.0, -135.0, -90.0, -30.0, -0.0, 0.0, 45.0, 90.0, 120.0, 180.0] {
+            let back = LatLon::new(lat, lon).unwrap().to_direction().to_lat_lon();
+            assert!([0.0, 180.0].contains(&back.lon().abs()), "{lat} {lon} gave {back:?}");
+        }
+    }
+    let pole = Direction::new(0.0, 0.0, 1.0_f32).unwrap().to_lat_lon();
+    assert_eq!((pole.lat(), pole.lon()), (90.0, 0.0));
+}
+
+fn antimeridian<T: Scalar>() {
+    let half_circle = T::of(180.0);
+    for tenths in -899..=899 {
+        let lat = T::of(f64::from(tenths) / 10.0);
+        for lon in [-half_circle, half_circle] {
+            let place = LatLon::new(lat, lon).unwrap();
+            assert_eq!(place.lon(), lon, "kept by the door");
+            assert_eq!(place.to_direction().to_lat_lon().lon(), lon, "{} {lat:?}", T::NAME);
+            for &shift in Shift::ALL {
+                for &projection in Projection::ALL {
+                    let map = CubeMap::new(Ellipsoid::<T>::wgs84(), shift, projection).unwrap();
+                    let back = map.unproject(map.project(place)).lon();
+                    assert_eq!(back, lon, "{projection} {shift} {}: {place:?}", T::NAME);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn proj_4214_longitude_minus_180() {
+    antimeridian::<f64>();
+    antimeridian::<f32>();
+}
+
+/// The cube's edges are at ±45° and ±135° of longitude: such points project to coordinate 1 and come back.
+#[test]
+fn proj_1157_points_on_the_edges_of_the_cube() {
+    for &projection in Projection::ALL {
+        let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Geocentric, projection).unwrap();
+        // COBE's published polynomials miss each other by 3e-4.
+        let tolerance = if projection == Projection::Cobe { 0.05 } else { 1e-12 };
+        for lon in [-135.0, -45.0, 45.0, 135.0] {
+            for lat in -35..=35 {
+                let place = LatLon::new(f64::from(lat), lon).unwrap();
+                let point = map.project(place);
+                // Cartesian is within an ulp of its edge.
+                assert!(point.x().abs() > 1.0 - f64::EPSILON, "{projection} {place:?} {point:?}");
+                let back = map.unproject(point);
+                assert!(
+                    (back.lat() - place.lat()).abs() < tolerance && (back.lon() - lon).abs() < 1e-13,
+                    "{projection} {place:?} {back:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Longitude and latitude in the wrong order gave NaN.
+#[test]
+fn georust_geo_1327_swapped_coordinates() {
+    assert_eq!(LatLon::new(151.2, -33.9), Err(InvalidLatLon::Latitude(151.2)));
+    assert_eq!(LatLon::new(-33.9, 151.2).map(LatLon::lon), Ok(151.2));
+}
+
+/// NaN at latitude ±45.
+#[test]
+fn geographiclib_js_3_latitude_45() {
+    for lat in [-45.0, 45.0] {
+        for &from in Latitude::ALL {
+            for &to in Latitude::ALL {
+                let conversion = Conversion::new(Ellipsoid::<f64>::wgs84(), from, to).unwrap();
+                let value = conversion.degrees(lat).unwrap();
+                assert!(
+                    value.signum() == lat.signum() && value.abs() <= 90.0,
+                    "{from} {to} {value}"
+                );
+                if from != Latitude::Isometric && to != Latitude::Isometric {
+                    assert!((value - lat).abs() < 0.25, "{from} {to} {value}");
+                }
+            }
+        }
+        for &projection in Projection::ALL {
+            for &shift in Shift::ALL {
+                let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), shift, projection).unwrap();
+                for lon in (-180..=180).step_by(45).map(f64::from) {
+                    let back = map.unproject(map.project(LatLon::new(lat, lon).unwrap()));
+                    let tolerance = if projection == Projection::Cobe { 0.05 } else { 1e-12 };
+                    assert!(
+                        (back.lat() - lat).abs() < tolerance,
+                        "{projection} {shift} {lon}: {back:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The origin has no direction; a later step panicked on its NaN.
+#[test]
+fn sguaba_24_the_centre_of_the_earth() {
+    assert_eq!(
+        Direction::new(0.0, 0.0, 0.0),
+        Err(InvalidDirection { x: 0.0, y: 0.0, z: 0.0 })
+    );
+}
+
+/// Steps across the antimeridian.
+#[test]
+fn ardupilot_17840_past_180() {
+    let mut lon = 179.5;
+    let mut walked = Vec::new();
+    for _ in 0..4 {
+        lon = LatLon::new(10.0, lon + 0.25).unwrap().lon();
+        walked.push(lon);
+    }
+    assert_eq!(walked, [179.75, 180.0, -179.75, -179.5]);
+}
+
+/// Positions next to the poles lost digits in Healpix.
+#[test]
+fn astropy_healpix_34_next_to_the_poles() {
+    for &shift in Shift::ALL {
+        let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), shift, Projection::Healpix).unwrap();
+        for exponent in 0..=14 {
+            for lon in (-180..=180).step_by(5).map(f64::from) {
+                for sign in [-1.0, 1.0] {
+                    let lat = sign * (90.0 - 10f64.powi(-exponent));
+                    let back = map.unproject(map.project(LatLon::new(lat, lon).unwrap()));
+                    let metres = 6_378_137.0 * std::f64::consts::PI / 180.0;
+                    let turn = (back.lon() - lon + 540.0).rem_euclid(360.0) - 180.0;
+                    let (north, east) = (back.lat() - lat, turn * lat.to_radians().cos());
+                    assert!(north.hypot(east) * metres < 5e-9, "{shift} {lat} {lon}: {back:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Healpix on the authalic latitude has equal areas on the ellipsoid: y of a side face is in proportion to the area of the
+/// zone from the equator.
+#[test]
+fn healpix_geo_28_equal_areas_on_the_ellipsoid() {
+    let ellipsoid = Ellipsoid::<f64>::wgs84();
+    let e = ellipsoid.e2().sqrt();
+    // 1/2πb² of the area between the equator and latitude φ.
+    let zone = |lat: f64| {
+        let s = lat.to_radians().sin();
+        s / (1.0 - e * e * s * s) + (e * s).atanh() / e
+    };
+    let map = CubeMap::new(ellipsoid, Shift::Authalic, Projection::Healpix).unwrap();
+    for tenths in -410..=410 {
+        let lat = f64::from(tenths) / 10.0;
+        let y = map.project(LatLon::new(lat, 20.0).unwrap()).y();
+        let expected = 1.5 * zone(lat) / zone(90.0);
+        assert!((y - expected).abs() < 1e-14, "{lat}: {y} is not {expected}");
+    }
+}

@@ -1,0 +1,141 @@
+//! `to_ecef` and `to_geodetic` against the truth: the largest error of every file, by height.
+
+use crate::truth::{Row, Scalar, Truth};
+use crate::{ecef, ellipsoid, geodetic, length};
+
+const EARTH_AXES: [&str; 3] = ["X", "Y", "Z"];
+
+/// Worst errors of the rows below 100 km, below 10 000 km and higher, in metres.
+#[derive(Clone, Copy, Debug, Default)]
+struct Bands([f64; 3]);
+
+impl Bands {
+    fn add(&mut self, row: Row<'_>, error: f64) {
+        let height = row.value("h");
+        let band = usize::from(height >= 1e5) + usize::from(height >= 1e7);
+        self.0[band] = self.0[band].max(error);
+    }
+
+    fn hold(self, what: &str, claimed: [f64; 3]) {
+        println!("{what}: {:.2e} {:.2e} {:.2e}", self.0[0], self.0[1], self.0[2]);
+        for (measured, claimed) in self.0.into_iter().zip(claimed) {
+            assert!(measured <= claimed, "{what}: {measured:e} m, claimed {claimed:e} m");
+        }
+    }
+}
+
+fn forward<T: Scalar>(name: &str, claimed: [f64; 3], ulps: f64) {
+    let (mut worst, mut worst_ulps) = (Bands::default(), 0.0_f64);
+    let truth = Truth::read(&format!("ecef_forward_{name}"));
+    for row in truth.exact_in::<T>(&["lat", "lon", "h"]) {
+        let position = geodetic::<T>(row.input("lat"), row.input("lon"), row.input("h"));
+        let computed = ellipsoid(name).to_ecef(position).to_array();
+        let errors = [0, 1, 2].map(|i| row.error(EARTH_AXES[i], computed[i]));
+        worst.add(row, length(&errors));
+        let radius = length(&EARTH_AXES.map(|column| row.value(column)));
+        let ulp = radius.log2().floor().exp2() * T::EPSILON.into();
+        worst_ulps = errors
+            .into_iter()
+            .fold(worst_ulps, |worst, error| worst.max(error / ulp));
+    }
+    println!("{worst_ulps:.2} ulp of the radius");
+    assert!(worst_ulps <= ulps, "{name}: {worst_ulps} ulp of the radius");
+    worst.hold(&format!("forward {name} {}", T::NAME), claimed);
+}
+
+/// The error of a height; one far smaller than its error is not compared digit by digit.
+fn height_error<T: Scalar>(row: Row<'_>, height: T) -> f64 {
+    let plain = (height.into() - row.value("h")).abs();
+    row.error("h", height).min(if row.value("h").abs() < 1e-3 {
+        plain
+    } else {
+        f64::INFINITY
+    })
+}
+
+/// `position`: the distance from the true latitude, longitude and height. `height`: that of the height alone.
+/// `back`: from the point, after the way back.
+fn reverse<T: Scalar>(name: &str, position: [f64; 3], height: [f64; 3], back: [f64; 3]) {
+    let mut worst = [Bands::default(); 3];
+    let e = ellipsoid::<T>(name);
+    let (a, e2): (f64, f64) = (e.a().into(), e.e2().into());
+    let truth = Truth::read(&format!("ecef_reverse_{name}"));
+    for row in truth.exact_in::<T>(&EARTH_AXES) {
+        let [x, y, z] = EARTH_AXES.map(|column| row.input::<T>(column));
+        let computed = e.to_geodetic(ecef(x, y, z));
+        let lat = row.value("lat").to_radians();
+        let w2 = 1.0 - e2 * lat.sin().powi(2);
+        let across = a / w2.sqrt();
+        let along = across * (1.0 - e2) / w2;
+        let lon = row.error("lon", computed.lon());
+        let errors = [
+            row.error("lat", computed.lat()).to_radians() * (along + row.value("h")),
+            lon.min((lon - 360.0).abs()).to_radians() * (across + row.value("h")) * lat.cos(),
+            height_error(row, computed.height()),
+        ];
+        let there = e.to_ecef(computed).to_array();
+        worst[0].add(row, length(&errors));
+        worst[1].add(row, errors[2]);
+        worst[2].add(row, length(&[0, 1, 2].map(|i| row.error(EARTH_AXES[i], there[i]))));
+    }
+    let [worst_position, worst_height, worst_back] = worst;
+    worst_position.hold(&format!("reverse {name} {}", T::NAME), position);
+    worst_height.hold("  height", height);
+    worst_back.hold("  there and back", back);
+}
+
+#[test]
+fn to_ecef_is_as_accurate_as_claimed() {
+    forward::<f64>("wgs84", [1.5e-9, 2.5e-9, 9e-9], 0.7);
+    forward::<f64>("moon", [0.4e-9, 0.6e-9, 5e-9], 0.7);
+    forward::<f64>("oblate10", [1.5e-9, 2e-9, 9e-9], 0.7);
+    forward::<f64>("prolate150", [1.5e-9, 2e-9, 9e-9], 0.7);
+    forward::<f32>("wgs84", [0.5, 0.8, 3.0], 0.7);
+    for name in ["moon", "oblate10", "prolate150"] {
+        forward::<f32>(name, [0.5, 0.9, 3.0], 0.7);
+    }
+}
+
+#[test]
+fn to_geodetic_is_as_accurate_as_claimed() {
+    reverse::<f64>(
+        "wgs84",
+        [2e-9, 2e-9, 8e-9],
+        [1.1e-9, 1e-9, 4e-9],
+        [2.5e-9, 3e-9, 1.3e-8],
+    );
+    reverse::<f64>("moon", [2e-9, 2e-9, 8e-9], [1.1e-9, 1e-9, 4e-9], [2.5e-9, 3e-9, 1.3e-8]);
+    reverse::<f64>(
+        "oblate10",
+        [2e-9, 2e-9, 8e-9],
+        [1.1e-9, 1e-9, 4e-9],
+        [2.5e-9, 3e-9, 1.3e-8],
+    );
+    reverse::<f64>(
+        "prolate150",
+        [2e-9, 2e-9, 8e-9],
+        [1.1e-9, 1e-9, 4e-9],
+        [2.5e-9, 3e-9, 1.3e-8],
+    );
+    reverse::<f32>("wgs84", [0.8, 0.8, 3.5], [0.2, 0.2, 2.0], [1.0, 1.0, 6.0]);
+}
+
+/// Rows between the surface's −10 km and 100 km.
+#[test]
+fn heights_near_the_surface_keep_their_digits() {
+    fn worst<T: Scalar>() -> f64 {
+        let truth = Truth::read("ecef_reverse_wgs84");
+        let rows = truth
+            .exact_in::<T>(&EARTH_AXES)
+            .into_iter()
+            .filter(|row| row.value("h").abs() < 1e5);
+        let errors = rows.map(|row| {
+            let [x, y, z] = EARTH_AXES.map(|column| row.input::<T>(column));
+            height_error(row, ellipsoid::<T>("wgs84").to_geodetic(ecef(x, y, z)).height())
+        });
+        errors.fold(0.0, f64::max)
+    }
+    let errors = [worst::<f64>(), worst::<f32>()];
+    println!("{errors:?}");
+    assert!(errors[0] <= 1e-11 && errors[1] <= 5e-3, "{errors:?}");
+}

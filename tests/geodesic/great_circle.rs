@@ -1,0 +1,176 @@
+//! The great circle against the truth.
+
+use terrella::geodesic::{Geodesic, GreatCircle};
+use terrella::{Direction, LatLon};
+
+use crate::sample::{awkward, place, worst};
+use crate::truth::{Row, Scalar, Truth};
+
+fn unit<T: Scalar>() -> GreatCircle<T> {
+    GreatCircle::new(T::ONE).unwrap()
+}
+
+/// The places of a row.
+pub fn places<T: Scalar>(row: Row<'_>) -> (LatLon<T>, LatLon<T>) {
+    let at = |lat, lon| LatLon::new(row.input::<T>(lat), row.input(lon)).unwrap();
+    (at("lat1", "lon1"), at("lat2", "lon2"))
+}
+
+const PLACES: [&str; 4] = ["lat1", "lon1", "lat2", "lon2"];
+
+/// The largest relative error of a column.
+fn relative(rows: &[Row<'_>], column: &str, computed: impl Fn(Row<'_>) -> f64) -> f64 {
+    worst(rows.iter().map(|&row| {
+        let truth = row.value(column);
+        let error = row.error(column, computed(row));
+        if truth == 0.0 { error } else { error / truth }
+    }))
+}
+
+fn degrees<T: Scalar>() -> f64 {
+    let truth = Truth::read("greatcircle_deg");
+    relative(&truth.exact_in::<T>(&PLACES), "dist", |row| {
+        let (from, to) = places::<T>(row);
+        unit().inverse(from, to).unwrap().distance.into()
+    })
+}
+
+fn radians<T: Scalar>() -> f64 {
+    let truth = Truth::read("greatcircle_rad");
+    relative(&truth.exact_in::<T>(&PLACES), "dist", |row| {
+        let [lat1, lon1, lat2, lon2] = PLACES.map(|column| row.input::<T>(column));
+        unit().distance_radians([lat1, lon1], [lat2, lon2]).into()
+    })
+}
+
+fn vectors<T: Scalar>() -> f64 {
+    let truth = Truth::read("greatcircle_vectors");
+    relative(
+        &truth.exact_in::<T>(&["ax", "ay", "az", "bx", "by", "bz"]),
+        "angle",
+        |row| {
+            let direction = |x, y, z| Direction::new(row.input::<T>(x), row.input(y), row.input(z)).unwrap();
+            GreatCircle::angle_radians(direction("ax", "ay", "az"), direction("bx", "by", "bz")).into()
+        },
+    )
+}
+
+/// The largest error of an azimuth in radians, times the sine of the distance.
+fn azimuths<T: Scalar>() -> f64 {
+    let truth = Truth::read("greatcircle_deg");
+    worst(truth.exact_in::<T>(&PLACES).into_iter().map(|row| {
+        let (from, to) = places::<T>(row);
+        let line = unit().inverse(from, to).unwrap();
+        let sine = row.value("dist").sin();
+        let of = |column, azimuth: T| match row.text(column) {
+            "nan" => 0.0,
+            _ => {
+                let error = row.error(column, azimuth);
+                error.min((360.0 - error).abs()).to_radians() * sine
+            }
+        };
+        of("azi1", line.azimuth1).max(of("azi2", line.azimuth2))
+    }))
+}
+
+#[test]
+fn distances_are_as_accurate_as_claimed() {
+    let figures = [
+        ("degrees", degrees::<f64>(), degrees::<f32>()),
+        ("radians", radians::<f64>(), radians::<f32>()),
+        ("vectors", vectors::<f64>(), vectors::<f32>()),
+    ];
+    for (what, double, single) in figures {
+        println!("{what}: {double:.2e} {single:.2e}");
+    }
+    for (what, double, single) in figures {
+        assert!(double <= 4e-16 && single <= 2.0e-7, "{what}");
+    }
+}
+
+#[test]
+fn azimuths_are_as_accurate_as_claimed() {
+    let (double, single) = (azimuths::<f64>(), azimuths::<f32>());
+    println!("{double:.2e} {single:.2e}");
+    assert!(double <= 6.0e-16 && single <= 3.2e-7);
+}
+
+/// Awkward pairs in `f32`, against `f64`: the relative error on a unit sphere, and what the error in metres on the Earth is over 1.5e-7 of the distance.
+#[test]
+fn single_precision_keeps_its_claim() {
+    const EARTH: f32 = 6_371_000.0;
+    let (mut relative, mut over) = (0.0f64, 0.0f64);
+    let mut rng = fastrand::Rng::with_seed(5);
+    let double = GreatCircle::new(1.0).unwrap();
+    let (single, earth) = (unit::<f32>(), GreatCircle::new(EARTH).unwrap());
+    for _ in 0..1_000_000 {
+        let [lat1, lon1, lat2, lon2] = awkward(&mut rng).map(|x| x as f32);
+        let (from, to) = (place(lat1, lon1), place(lat2, lon2));
+        let [lat1, lon1, lat2, lon2] = [lat1, lon1, lat2, lon2].map(f64::from);
+        let truth = double.inverse(place(lat1, lon1), place(lat2, lon2)).unwrap().distance;
+        let error = (f64::from(single.inverse(from, to).unwrap().distance) - truth).abs();
+        relative = relative.max(if error == 0.0 { 0.0 } else { error / truth });
+        let truth = truth * f64::from(EARTH);
+        let error = (f64::from(earth.inverse(from, to).unwrap().distance) - truth).abs();
+        over = over.max(error - 1.5e-7 * truth);
+    }
+    println!("{relative:.2e}, {over:.2} m");
+    assert!(relative <= 3.0e-7 && over <= 1.0);
+}
+
+/// Points along, in the middle and beside great circles, by triangles that are known.
+#[test]
+fn points_and_tracks() {
+    let mut rng = fastrand::Rng::with_seed(6);
+    let sphere = unit::<f64>();
+    let apart = |a, b| sphere.inverse(a, b).unwrap().distance;
+    let mut errors = [0.0f64; 4];
+    for _ in 0..200_000 {
+        let [lat1, lon1, lat2, lon2] = awkward(&mut rng);
+        let (start, end) = (place(lat1, lon1), place(lat2, lon2));
+        let line = sphere.inverse(start, end).unwrap();
+        let middle = sphere.midpoint(start, end);
+        let fraction = rng.f64();
+        let part = sphere.intermediate(start, end, fraction).unwrap();
+        let halves = (apart(start, middle) - apart(middle, end)).abs();
+        let parts = (apart(start, part) - fraction * line.distance).abs();
+        // A point beside the line: along it, then to the right.
+        let (along, cross) = (3.0 * (rng.f64() - 0.5), rng.f64() - 0.5);
+        let foot = sphere.direct(start, line.azimuth1, along).unwrap();
+        if foot.position.lat().abs() > 85.0 {
+            continue; // where its azimuth, and so the point beside it, is not known as well
+        }
+        let beside = sphere
+            .direct(foot.position, foot.azimuth + 90.0, cross)
+            .unwrap()
+            .position;
+        let across = (sphere.cross_track(beside, start, end) - cross).abs();
+        let ahead = (sphere.along_track(beside, start, end) - along).abs() * cross.cos();
+        for (worst, error) in errors.iter_mut().zip([halves, parts, across, ahead]) {
+            *worst = if error <= *worst { *worst } else { error };
+        }
+    }
+    println!("{errors:?}");
+    assert!(errors.into_iter().all(|error| error <= 4e-15));
+}
+
+/// The end of a line that the inverse found is where it was told to lead, on the truth's rows.
+#[test]
+fn destinations_are_as_accurate_as_claimed() {
+    fn worst_end<T: Scalar>(of: impl Fn(f64) -> T) -> f64 {
+        let reference = Truth::read("geod_direct_moon");
+        let moon = GreatCircle::new(of(1_737_400.0)).unwrap();
+        let rows = reference.exact_in::<T>(&["lat1", "lon1", "azi1", "s12"]);
+        let rows = rows.into_iter().filter(|row| row.value("a12").abs() <= 180.0);
+        worst(rows.map(|row| {
+            let [lat, lon, azimuth, distance] = ["lat1", "lon1", "azi1", "s12"].map(|column| row.input::<T>(column));
+            let end = moon.direct(place(lat, lon), azimuth, distance).unwrap().position;
+            let lon = row.error("lon2", end.lon());
+            let lon = lon.min((360.0 - lon).abs()) * row.value("lat2").to_radians().cos();
+            row.error("lat2", end.lat()).hypot(lon).to_radians()
+        }))
+    }
+    let (double, single) = (worst_end(|x| x), worst_end(|x| x as f32));
+    println!("{double:.2e} {single:.2e}");
+    assert!(double <= 1.1e-15 && single <= 6.0e-7);
+}

@@ -1,0 +1,319 @@
+//! Karney's geodesics against the truth and against GeographicLib.
+
+use geographiclib_rs::{Geodesic as Theirs, InverseGeodesic, PolygonArea as TheirPolygon, Winding};
+use terrella::geodesic::{Area, Geodesic, GeodesicError, Karney};
+use terrella::{Ellipsoid, LatLon, Real};
+
+use crate::table::hold;
+use crate::truth::{Row, Scalar, Truth};
+
+fn ellipsoid<T: Real>(name: &str) -> Ellipsoid<T> {
+    let (a, f) = match name {
+        "wgs84" => (6_378_137.0, 1.0 / 298.257_223_563),
+        "mars" => (3_396_190.0, 1.0 / 169.894_447_2),
+        "moon" => (1_737_400.0, 0.0),
+        "oblate10" => (6.4e6, 0.1),
+        "prolate150" => (6.4e6, -1.0 / 150.0),
+        other => panic!("no ellipsoid {other}"),
+    };
+    Ellipsoid::new(T::of(a), T::of(f)).unwrap()
+}
+
+fn place<T: Scalar>(row: Row, lat: &str, lon: &str) -> LatLon<T> {
+    LatLon::new(row.input(lat), row.input(lon)).unwrap()
+}
+
+/// |a − b| of two angles in degrees, in radians.
+fn turn(a: f64, b: f64) -> f64 {
+    ((a - b + 540.0).rem_euclid(360.0) - 180.0).abs().to_radians()
+}
+
+/// In `f32` an error may grow by 1.5e-7 of the distance before it counts.
+fn beyond_rounding<T: Scalar>(error: f64, distance: f64) -> f64 {
+    let allowed = if T::NAME == "f32" { 1.5e-7 * distance.abs() } else { 0.0 };
+    (error - allowed).max(0.0)
+}
+
+#[derive(Default)]
+struct Inverse {
+    distance: f64,
+    /// Azimuth times the smaller of |m₁₂| and s₁₂.
+    azimuth: f64,
+    reduced_length: f64,
+    area: f64,
+    area_of_short: f64,
+}
+
+fn inverse<T: Scalar>(name: &str) -> Inverse {
+    let truth = Truth::read(&format!("geod_inverse_{name}"));
+    let karney = Karney::<T>::new(ellipsoid(name)).unwrap();
+    let area = Area::<T>::new(ellipsoid(name)).unwrap();
+    let mut worst = Inverse::default();
+    for row in truth.exact_in::<T>(&["lat1", "lon1", "lat2", "lon2"]) {
+        let (from, to) = (place(row, "lat1", "lon1"), place(row, "lat2", "lon2"));
+        let (s12, m12) = (row.value("s12"), row.value("m12").abs());
+        let found = karney.solve(from, to);
+        let error = beyond_rounding::<T>(row.error("s12", found.inverse.distance), s12);
+        worst.distance = worst.distance.max(error);
+
+        let azimuths = [found.inverse.azimuth1.into(), found.inverse.azimuth2.into()];
+        let [a1, a2] = ["azi1", "azi2"].map(|column| row.value(column));
+        let off = |a: [f64; 2]| turn(azimuths[0], a[0]).max(turn(azimuths[1], a[1])) * m12.min(s12);
+        let error = match row.text("multi") {
+            "two_swap" => off([a1, a2]).min(off([a2, a1])),
+            "two_ew" => off([a1, a2]).min(off([-a1, -a2])),
+            "infinite" | "coincident" => 0.0,
+            _ => off([a1, a2]),
+        };
+        worst.azimuth = worst.azimuth.max(error);
+
+        // Near conjugate points m₁₂ and S₁₂ are as ill-conditioned as the azimuths.
+        if row.text("multi") == "unique" && (s12 < 1e6 || m12 > 0.1 * s12) {
+            worst.reduced_length = worst.reduced_length.max(row.error("m12", found.reduced_length));
+            let error = row.error("S12", area.under(from, to));
+            worst.area = worst.area.max(error);
+            if s12 < 1e6 {
+                worst.area_of_short = worst.area_of_short.max(error);
+            }
+        }
+    }
+    worst
+}
+
+/// The largest displacement in metres, of lines up to once around and of longer ones.
+fn direct<T: Scalar>(name: &str) -> [f64; 2] {
+    let truth = Truth::read(&format!("geod_direct_{name}"));
+    let e = ellipsoid::<f64>(name);
+    let karney = Karney::<T>::new(ellipsoid(name)).unwrap();
+    let mut worst = [0.0_f64; 2];
+    for row in truth.exact_in::<T>(&["lat1", "lon1", "azi1", "s12"]) {
+        let s12 = row.value("s12");
+        let from = place(row, "lat1", "lon1");
+        let found = karney.direct(from, row.input("azi1"), row.input("s12")).unwrap();
+        let (lat, lon) = (found.position.lat(), found.position.lon());
+        let phi = row.value("lat2").to_radians();
+        let w = 1.0 - e.e2() * phi.sin().powi(2);
+        let (rho, nu) = (e.a() * (1.0 - e.e2()) / w.powf(1.5), e.a() / w.sqrt());
+        let north = rho * row.error("lat2", lat).to_radians();
+        let across = (row.value("lon2") - lon.into()).abs() > 180.0;
+        let east = if across {
+            turn(lon.into(), row.value("lon2"))
+        } else {
+            row.error("lon2", lon).to_radians()
+        };
+        let east = if row.text("multi") == "pole_end" {
+            0.0
+        } else {
+            nu * phi.cos() * east
+        };
+        let error = beyond_rounding::<T>(north.hypot(east), s12);
+        let around = usize::from(s12.abs() > 1.01 * std::f64::consts::TAU * e.a());
+        worst[around] = worst[around].max(error);
+    }
+    worst
+}
+
+#[test]
+fn karney_is_as_accurate_as_claimed() {
+    let both = |name| {
+        (
+            inverse::<f64>(name),
+            inverse::<f32>(name),
+            direct::<f64>(name),
+            direct::<f32>(name),
+        )
+    };
+    let (earth, earth32, direct_earth, direct_earth32) = both("wgs84");
+    hold("Karney inverse, distance", [earth.distance, earth32.distance]);
+    hold("Karney inverse, azimuth times length", [earth.azimuth, earth32.azimuth]);
+    hold(
+        "Karney inverse, reduced length",
+        [earth.reduced_length, earth32.reduced_length],
+    );
+    hold("Karney direct, position", [direct_earth[0], direct_earth32[0]]);
+    hold(
+        "Karney direct, position after several circuits",
+        [direct_earth[1], direct_earth32[1]],
+    );
+    hold("Karney area under a line", [earth.area, earth32.area]);
+    hold(
+        "Karney area under a line of less than 1000 km",
+        [earth.area_of_short, earth32.area_of_short],
+    );
+    for name in ["mars", "moon"] {
+        let (inverse, inverse32, direct, direct32) = both(name);
+        hold(
+            "Karney on Mars and the Moon",
+            [inverse.distance.max(direct[0]), inverse32.distance.max(direct32[0])],
+        );
+    }
+    for name in ["oblate10", "prolate150"] {
+        let (inverse, inverse32, direct, direct32) = both(name);
+        hold(
+            "Karney for f = 1/10 and −1/150",
+            [inverse.distance.max(direct[0]), inverse32.distance.max(direct32[0])],
+        );
+    }
+}
+
+#[test]
+fn area_of_direct_lines() {
+    let truth = Truth::read("geod_direct_wgs84");
+    let area = Area::<f64>::new(ellipsoid("wgs84")).unwrap();
+    let mut rows = 0;
+    for row in truth.exact_in::<f64>(&["lat1", "lon1", "azi1", "s12"]) {
+        if row.text("multi") == "unique" && ["random", "short"].contains(&row.text("class")) {
+            let from = place(row, "lat1", "lon1");
+            let found = area.under_direct(from, row.value("azi1"), row.value("s12")).unwrap();
+            assert!(
+                row.error("S12", found) < 0.1,
+                "{} {}",
+                row.text("lat1"),
+                row.text("azi1")
+            );
+            rows += 1;
+        }
+    }
+    assert!(rows > 500);
+}
+
+#[test]
+fn a_line_is_its_points() {
+    let karney = Karney::<f64>::new(ellipsoid("wgs84")).unwrap();
+    let from = LatLon::new(40.0, -75.0).unwrap();
+    let line = karney.line(from, 35.0).unwrap();
+    for i in -40..=40 {
+        let distance = f64::from(i) * 1e6;
+        let point = line.at(distance).unwrap();
+        let direct = karney.direct(from, 35.0, distance).unwrap();
+        assert_eq!((point.position, point.azimuth), (direct.position, direct.azimuth));
+        if distance > 0.0 && distance < 1.9e7 {
+            let back = karney.solve(from, point.position);
+            assert!((back.inverse.distance - distance).abs() < 1e-8 && (back.inverse.azimuth1 - 35.0).abs() < 1e-9);
+            assert!((back.reduced_length - point.reduced_length).abs() < 1e-7);
+            assert!((back.scale12 - point.scale12).abs() < 1e-14 && (back.scale21 - point.scale21).abs() < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn what_is_not_finite_is_refused() {
+    let karney = Karney::<f64>::new(ellipsoid("wgs84")).unwrap();
+    let from = LatLon::new(1.0, 2.0).unwrap();
+    assert!(matches!(karney.direct(from, f64::NAN, 1.0), Err(GeodesicError::Azimuth(a)) if a.is_nan()));
+    assert_eq!(
+        karney.direct(from, f64::INFINITY, 1.0),
+        Err(GeodesicError::Azimuth(f64::INFINITY))
+    );
+    assert!(matches!(karney.direct(from, 1.0, f64::NAN), Err(GeodesicError::Distance(d)) if d.is_nan()));
+    assert_eq!(karney.direct(from, 1.0, 1e15), Err(GeodesicError::Distance(1e15)));
+    assert!(Karney::new(Ellipsoid::new(1.0_f64, 0.2).unwrap()).is_err());
+}
+
+/// Corners around a place, and the same polygon by GeographicLib.
+fn polygons(corners: &[(f64, f64)]) -> [[f64; 2]; 2] {
+    let area = Area::<f64>::new(ellipsoid("wgs84")).unwrap();
+    let mut ours = area.polygon();
+    let wgs84 = Theirs::wgs84();
+    let mut theirs = TheirPolygon::new(&wgs84, Winding::CounterClockwise);
+    for &(lat, lon) in corners {
+        ours.add(LatLon::new(lat, lon).unwrap());
+        theirs.add_point(lat, lon);
+    }
+    let (perimeter, signed, _) = theirs.compute(true);
+    [[ours.area(), ours.perimeter()], [signed, perimeter]]
+}
+
+#[test]
+fn polygons_are_those_of_geographiclib() {
+    let mut rng = fastrand::Rng::with_seed(8);
+    for _ in 0..2000 {
+        let (lat, lon) = (180.0 * rng.f64() - 90.0, 360.0 * rng.f64() - 180.0);
+        let size = 10f64.powf(-4.0 * rng.f64()) * 40.0;
+        let count = rng.usize(1..9);
+        let corners: Vec<_> = (0..count)
+            .map(|i| {
+                let angle = std::f64::consts::TAU * (i as f64 + 0.3 * rng.f64()) / count as f64;
+                (
+                    (lat + size * angle.sin()).clamp(-90.0, 90.0),
+                    lon + size * angle.cos() * 2.0,
+                )
+            })
+            .collect();
+        let [ours, theirs] = polygons(&corners);
+        assert!((ours[0] - theirs[0]).abs() < 0.5, "{corners:?}: {ours:?} {theirs:?}");
+        assert!((ours[1] - theirs[1]).abs() < 1e-7, "{corners:?}: {ours:?} {theirs:?}");
+    }
+    // Around both poles, either way, and over the antimeridian.
+    for corners in [
+        vec![(80.0, 0.0), (80.0, 90.0), (80.0, 180.0), (80.0, -90.0)],
+        vec![(80.0, 0.0), (80.0, -90.0), (80.0, 180.0), (80.0, 90.0)],
+        vec![(-80.0, 10.0), (-80.0, 130.0), (-80.0, -110.0)],
+        vec![(10.0, 170.0), (10.0, -170.0), (-10.0, -170.0), (-10.0, 170.0)],
+        vec![(0.0, 0.0), (0.0, 90.0), (90.0, 0.0)],
+        vec![(5.0, 5.0)],
+        vec![],
+    ] {
+        let [ours, theirs] = polygons(&corners);
+        assert!(
+            (ours[0] - theirs[0]).abs() < 0.5 && (ours[1] - theirs[1]).abs() < 1e-7,
+            "{corners:?}: {ours:?} {theirs:?}"
+        );
+    }
+}
+
+/// Random and hard pairs: uniform, near the antipode of the first, near it, near poles and equator.
+fn pair(rng: &mut fastrand::Rng) -> [f64; 4] {
+    let signed = |rng: &mut fastrand::Rng| 2.0 * rng.f64() - 1.0;
+    let tiny = |rng: &mut fastrand::Rng| 10f64.powf(-12.0 * rng.f64()) * (2.0 * rng.f64() - 1.0);
+    let lat = match rng.u8(0..6) {
+        0 => tiny(rng),
+        1 => 90.0 - tiny(rng).abs(),
+        _ => signed(rng).asin().to_degrees(),
+    };
+    let lon = 180.0 * signed(rng);
+    let (lat2, lon2) = match rng.u8(0..6) {
+        0 | 1 => (-lat + tiny(rng), lon + 180.0 + tiny(rng)),
+        2 => (lat + tiny(rng), lon + tiny(rng)),
+        3 => (signed(rng).asin().to_degrees(), lon + 180.0 + tiny(rng)),
+        _ => (signed(rng).asin().to_degrees(), 180.0 * signed(rng)),
+    };
+    [lat, lon, lat2.clamp(-90.0, 90.0), lon2]
+}
+
+/// The largest difference of a distance from GeographicLib's, and between which places.
+fn against_geographiclib(pairs: u64, seed: u64) -> (f64, [f64; 4]) {
+    let karney = Karney::<f64>::new(ellipsoid("wgs84")).unwrap();
+    let wgs84 = Theirs::wgs84();
+    let mut rng = fastrand::Rng::with_seed(seed);
+    let mut worst = (0.0, [0.0; 4]);
+    for _ in 0..pairs {
+        let [lat1, lon1, lat2, lon2] = pair(&mut rng);
+        let (from, to) = (LatLon::new(lat1, lon1).unwrap(), LatLon::new(lat2, lon2).unwrap());
+        let theirs: f64 = wgs84.inverse(from.lat(), from.lon(), to.lat(), to.lon());
+        let difference = (karney.solve(from, to).inverse.distance - theirs).abs();
+        if difference.is_nan() || difference > worst.0 {
+            worst = (difference, [from.lat(), from.lon(), to.lat(), to.lon()]);
+        }
+    }
+    worst
+}
+
+#[test]
+fn distances_are_those_of_geographiclib() {
+    let (difference, places) = against_geographiclib(200_000, 1);
+    assert!(difference < 2e-8, "{difference:e} at {places:?}");
+}
+
+/// `cargo test --release --test geodesic -- --ignored --nocapture`: some minutes on two cores.
+#[test]
+#[ignore = "10⁸ pairs"]
+fn distances_are_those_of_geographiclib_ten_to_the_eight() {
+    use rayon::prelude::*;
+    let worst = (0..1000_u64)
+        .into_par_iter()
+        .map(|seed| against_geographiclib(100_000, seed));
+    let (difference, places) = worst.reduce(|| (0.0, [0.0; 4]), |a, b| if a.0 >= b.0 { a } else { b });
+    println!("largest difference from GeographicLib: {difference:e} m at {places:?}");
+    assert!(difference < 2e-8, "{difference:e} at {places:?}");
+}

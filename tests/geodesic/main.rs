@@ -1,0 +1,23 @@
+//! Geodesics against the truth and against GeographicLib.
+#![allow(
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)] // tests
+
+mod along;
+mod andoyer;
+mod bowring;
+mod flat;
+mod great_circle;
+mod haversine;
+mod karney;
+mod sample;
+mod stability;
+#[path = "../accuracy/table.rs"]
+mod table;
+#[path = "../accuracy/truth.rs"]
+mod truth;
+mod vincenty;

@@ -1,0 +1,168 @@
+//! Every method at awkward places: finite, in range, and refused only for a reason.
+
+use terrella::geodesic::{
+    Andoyer, AndoyerSecond, Bowring, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Vincenty,
+};
+use terrella::{Ellipsoid, LatLon};
+
+use crate::sample::{awkward, place};
+use crate::truth::Scalar;
+
+type Methods<T> = Vec<(&'static str, Box<dyn Geodesic<T>>)>;
+
+fn methods<T: Scalar>(f: f64) -> Methods<T> {
+    let earth = Ellipsoid::new(T::of(6.4e6), T::of(f)).unwrap();
+    vec![
+        ("great circle", Box::new(GreatCircle::new(earth.mean_radius()).unwrap())),
+        ("haversine", Box::new(Haversine::new(earth.mean_radius()).unwrap())),
+        ("flat", Box::new(Flat::new(earth).unwrap())),
+        ("bowring", Box::new(Bowring::new(earth).unwrap())),
+        ("andoyer", Box::new(Andoyer::new(earth).unwrap())),
+        ("andoyer, second order", Box::new(AndoyerSecond::new(earth).unwrap())),
+        ("vincenty", Box::new(Vincenty::new(earth).unwrap())),
+    ]
+}
+
+/// Numbers at which something may go wrong.
+fn hard<T: Scalar>(rng: &mut fastrand::Rng, most: f64) -> T {
+    let least = T::of(if T::NAME == "f32" { 1.4e-45 } else { 5e-324 });
+    let number = match rng.u8(0..6) {
+        0 => least,
+        1 => T::ZERO,
+        2 => least * T::of(1e5),
+        3 => T::of(1e-12),
+        4 => T::of(most) * (T::ONE - T::EPSILON * T::of(f64::from(rng.u8(0..3)))),
+        _ => T::of(most * 0.5),
+    };
+    if rng.bool() { -number } else { number }
+}
+
+fn pair<T: Scalar>(rng: &mut fastrand::Rng) -> (LatLon<T>, LatLon<T>) {
+    if rng.bool() {
+        let [lat1, lon1, lat2, lon2] = awkward(rng).map(T::of);
+        return (place(lat1, lon1), place(lat2, lon2));
+    }
+    (
+        place(hard(rng, 90.0), hard(rng, 180.0)),
+        place(hard(rng, 90.0), hard(rng, 180.0)),
+    )
+}
+
+fn azimuth_in_range<T: Scalar>(azimuth: T) -> bool {
+    azimuth.into().abs() <= 180.0
+}
+
+fn total<T: Scalar>() {
+    for f in [0.0, 1.0 / 298.0, 1.0 / 60.0, -1.0 / 150.0] {
+        let mut rng = fastrand::Rng::with_seed(2);
+        let methods = methods::<T>(f);
+        for _ in 0..100_000 {
+            let (from, to) = pair::<T>(&mut rng);
+            let azimuth = if rng.bool() {
+                hard(&mut rng, 360.0)
+            } else {
+                T::of(1e30) * hard::<T>(&mut rng, 1.0)
+            };
+            let distance = if rng.bool() {
+                hard(&mut rng, 2e7)
+            } else {
+                T::of(1e37) * hard::<T>(&mut rng, 1.0)
+            };
+            for (name, method) in &methods {
+                let line = method.inverse(from, to).unwrap_or_else(|why| panic!("{name}: {why}"));
+                let distance_in_range = (0.0..=2.1e7).contains(&line.distance.into()) || *name == "flat";
+                assert!(
+                    distance_in_range && azimuth_in_range(line.azimuth1) && azimuth_in_range(line.azimuth2),
+                    "{name}, {f}: {from:?} {to:?}: {line:?}"
+                );
+                let end = method
+                    .direct(from, azimuth, distance)
+                    .unwrap_or_else(|why| panic!("{name}: {why}"));
+                let position = end.position;
+                assert!(
+                    position.lat().into().abs() <= 90.0
+                        && position.lon().into().abs() <= 180.0
+                        && azimuth_in_range(end.azimuth),
+                    "{name}, {f}: {from:?} {azimuth:?} {distance:?}: {end:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_is_out_of_range() {
+    total::<f64>();
+    total::<f32>();
+}
+
+/// Coincident places, with any signs of zero and either name of the antimeridian: distance 0, azimuths +0.
+fn coincident<T: Scalar>() {
+    let zero = T::ZERO;
+    let half = T::of(180.0);
+    for (name, method) in methods::<T>(1.0 / 298.0) {
+        let zeros = [zero, -zero];
+        let same = zeros.into_iter().flat_map(|a| zeros.map(|b| [[zero, a], [zero, b]]));
+        let same = same.chain(zeros.into_iter().flat_map(|a| zeros.map(|b| [[a, zero], [b, zero]])));
+        let turned = [half, -half]
+            .into_iter()
+            .flat_map(|a| [half, -half].map(|b| [[T::of(45.0), a], [T::of(45.0), b]]));
+        let poles = [90.0, -90.0, 30.0].map(|lat| [[T::of(lat), T::of(7.0)]; 2]);
+        for [[lat1, lon1], [lat2, lon2]] in same.chain(turned).chain(poles) {
+            let line = method.inverse(place(lat1, lon1), place(lat2, lon2)).unwrap();
+            let all: [f64; 3] = [line.distance, line.azimuth1, line.azimuth2].map(Into::into);
+            assert!(
+                all.iter().all(|x| x.to_bits() == 0),
+                "{name}: {lat1:?} {lon1:?} {lat2:?} {lon2:?}: {line:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn coincident_places_are_zero_apart() {
+    coincident::<f64>();
+    coincident::<f32>();
+}
+
+/// A nanometre, and its direction: nothing is lost to cancellation. Near 0° N 0° E, where coordinates resolve it.
+fn nanometre<T: Scalar>(digits: f64) {
+    let degree = 1e-9 / 6.4e6 * 57.295_779_513_082_32;
+    for (name, method) in methods::<T>(0.0) {
+        let line = method
+            .inverse(place(T::ZERO, T::ZERO), place(T::of(degree), T::of(degree)))
+            .unwrap();
+        let distance: f64 = line.distance.into();
+        let azimuth: f64 = line.azimuth1.into();
+        assert!(
+            (distance / (1e-9 * 2f64.sqrt()) - 1.0).abs() <= digits,
+            "{name}: {line:?}"
+        );
+        assert!((azimuth / 45.0 - 1.0).abs() <= digits, "{name}: {line:?}");
+    }
+}
+
+#[test]
+fn a_nanometre_is_resolved() {
+    nanometre::<f64>(1e-15);
+    nanometre::<f32>(5e-7);
+}
+
+#[test]
+fn what_is_not_finite_is_refused() {
+    for (name, method) in methods::<f64>(1.0 / 298.0) {
+        let here = place(1.0, 2.0);
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let azimuth = method.direct(here, bad, 1.0).unwrap_err();
+            assert!(
+                matches!(azimuth, GeodesicError::Azimuth(x) if x.to_bits() == bad.to_bits()),
+                "{name}"
+            );
+            let distance = method.direct(here, 1.0, bad).unwrap_err();
+            assert!(
+                matches!(distance, GeodesicError::Distance(x) if x.to_bits() == bad.to_bits()),
+                "{name}"
+            );
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! The optional conversions: serde, glam, defmt; each test needs its feature.
+#![allow(
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)] // a test may fail loudly
+
+#[cfg(feature = "serde")]
+mod serde {
+    use std::fmt::Debug;
+
+    use ::serde::Serialize;
+    use ::serde::de::DeserializeOwned;
+    use serde_json::{from_str, from_value, to_string, to_value};
+    use terrella::cube::{CubeProjection, Face, FacePoint, Projection};
+    use terrella::{Direction, Ellipsoid, LatLon, Latitude, NAMED, Real, Shift};
+
+    /// Out and in again, as a tree of values: decimals would test the reader's rounding, not ours.
+    fn comes_back<V: Serialize + DeserializeOwned + PartialEq + Debug>(value: V) {
+        let tree = to_value(&value).unwrap();
+        assert_eq!(from_value::<V>(tree.clone()).unwrap(), value, "{tree}");
+    }
+
+    fn reads<V: DeserializeOwned + PartialEq + Debug>(text: &str, value: V) {
+        assert_eq!(from_str::<V>(text).unwrap(), value, "{text}");
+    }
+
+    /// Refused, with the words of the constructor.
+    fn refuses<V: DeserializeOwned + Debug>(text: &str, because: &str) {
+        let why = from_str::<V>(text).unwrap_err().to_string();
+        assert!(why.contains(because), "{text}: {why}");
+    }
+
+    fn numbers_come_back<T: Real + Serialize + DeserializeOwned>(epsilon: f64) {
+        let mut rng = fastrand::Rng::with_seed(50);
+        for _ in 0..2000 {
+            let mut signed = |scale: f64| T::of(scale * (2.0 * rng.f64() - 1.0));
+            comes_back(LatLon::new(signed(90.0), signed(180.0)).unwrap());
+            comes_back(Direction::new(signed(1.0), signed(1.0), signed(1.0)).unwrap());
+            comes_back(Ellipsoid::new(signed(1.0).abs() + T::of(epsilon), signed(1.0)).unwrap());
+            for face in Face::ALL {
+                let point = FacePoint::new(face, signed(1.0), signed(1.0)).unwrap();
+                comes_back(point);
+                comes_back(Projection::Quadrilateralized.unproject(point));
+            }
+        }
+        for &name in NAMED {
+            comes_back(Ellipsoid::<T>::named(name).unwrap());
+        }
+    }
+
+    #[test]
+    fn values_come_back() {
+        numbers_come_back::<f64>(1e-15);
+        numbers_come_back::<f32>(1e-6);
+    }
+
+    #[test]
+    fn the_text_is_plain() {
+        let place = LatLon::new(59.5, -10.75).unwrap();
+        assert_eq!(to_string(&place).unwrap(), r#"{"lat":59.5,"lon":-10.75}"#);
+        let east = Direction::new(0.0, 2.0, 0.0).unwrap();
+        assert_eq!(to_string(&east).unwrap(), r#"{"x":0.0,"y":1.0,"z":0.0}"#);
+        let point = FacePoint::new(Face::Top, 0.25_f32, -1.0).unwrap();
+        assert_eq!(to_string(&point).unwrap(), r#"{"face":"top","x":0.25,"y":-1.0}"#);
+        let moon = Ellipsoid::<f64>::moon();
+        assert_eq!(to_string(&moon).unwrap(), r#"{"a":1737400.0,"f":0.0}"#);
+        reads(r#"{"lon": -10.75, "lat": 59.5}"#, place);
+        reads(r#"{"x":0,"y":1,"z":0}"#, east);
+        reads(r#"{"face":"top","x":0.25,"y":-1}"#, point);
+        reads(r#"{"a":1737400,"f":0}"#, moon);
+    }
+
+    #[test]
+    fn reading_does_what_new_does() {
+        reads(r#"{"lat":0,"lon":361}"#, LatLon::new(0.0, 1.0).unwrap());
+        reads(r#"{"lat":0,"lon":-180}"#, LatLon::new(0.0, -180.0).unwrap());
+        reads(r#"{"x":0,"y":-3,"z":4}"#, Direction::new(0.0, -0.6, 0.8).unwrap());
+    }
+
+    #[test]
+    fn what_new_refuses_is_refused() {
+        refuses::<LatLon<f64>>(r#"{"lat":90.5,"lon":0}"#, "latitude 90.5");
+        // Too large for single precision: the number reads as infinite.
+        refuses::<LatLon<f32>>(r#"{"lat":0,"lon":1e300}"#, "longitude inf");
+        refuses::<Direction<f64>>(r#"{"x":0,"y":0,"z":0}"#, "no direction");
+        refuses::<Ellipsoid<f64>>(r#"{"a":-1,"f":0}"#, "axis -1");
+        refuses::<Ellipsoid<f64>>(r#"{"a":1,"f":1}"#, "flattening 1");
+        refuses::<FacePoint<f64>>(r#"{"face":"top","x":0,"y":1.5}"#, "1.5");
+        refuses::<FacePoint<f64>>(r#"{"face":"roof","x":0,"y":0}"#, "unknown variant");
+        refuses::<LatLon<f64>>(r#"{"lat":0}"#, "missing field `lon`");
+        refuses::<LatLon<f64>>(r#"{"lat":null,"lon":0}"#, "invalid type");
+    }
+
+    /// The names in a file are the names of the program.
+    fn named<V: Serialize + DeserializeOwned + PartialEq + Debug + Copy>(all: &[V], name: impl Fn(V) -> &'static str) {
+        for &value in all {
+            assert_eq!(to_value(value).unwrap(), name(value));
+            comes_back(value);
+        }
+        refuses::<V>(r#""nonsense""#, "unknown variant");
+    }
+
+    #[test]
+    fn names_are_the_names() {
+        named(Projection::ALL, Projection::name);
+        named(Shift::ALL, Shift::name);
+        named(Latitude::ALL, Latitude::name);
+        named(&Face::ALL, |face| {
+            ["front", "right", "back", "left", "top", "bottom"][face as usize]
+        });
+    }
+}
+
+#[cfg(feature = "glam")]
+mod glam {
+    use ::glam::{DVec3, Vec3, Vec3A};
+    use terrella::{Direction, InvalidDirection};
+
+    #[test]
+    fn to_a_vector_and_back() {
+        let mut rng = fastrand::Rng::with_seed(51);
+        for _ in 0..10_000 {
+            let [x, y, z] = [(); 3].map(|()| 2.0 * rng.f64() - 1.0);
+            let double = Direction::new(x, y, z).unwrap();
+            let vector = DVec3::from(double);
+            assert_eq!(vector.to_array(), double.to_array());
+            assert_eq!(Direction::try_from(vector), Ok(double));
+
+            let single = Direction::new(x as f32, y as f32, z as f32).unwrap();
+            let vector: Vec3 = single.into();
+            let aligned: Vec3A = single.into();
+            assert_eq!(vector.to_array(), single.to_array());
+            assert_eq!(aligned.to_array(), single.to_array());
+            assert_eq!(Direction::try_from(vector), Ok(single));
+            assert_eq!(Direction::try_from(aligned), Ok(single));
+        }
+    }
+
+    #[test]
+    fn a_vector_of_any_length_has_a_direction() {
+        let direction = Direction::try_from(DVec3::new(0.0, -3.0, 4.0) * 2f64.powi(700)).unwrap();
+        assert_eq!(direction.to_array(), [0.0, -0.6, 0.8]);
+        assert_eq!(Direction::try_from(Vec3::Y * 7.0).unwrap().to_array(), [0.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn what_has_no_direction_is_refused() {
+        let zero = InvalidDirection { x: 0.0, y: 0.0, z: 0.0 };
+        assert_eq!(Direction::try_from(Vec3::ZERO), Err(zero));
+        assert_eq!(Direction::try_from(Vec3A::ZERO), Err(zero));
+        let infinite = InvalidDirection {
+            x: 1.0,
+            y: f64::INFINITY,
+            z: 2.0,
+        };
+        assert_eq!(Direction::try_from(DVec3::new(1.0, f64::INFINITY, 2.0)), Err(infinite));
+        let refused = Direction::try_from(DVec3::NAN).unwrap_err();
+        assert!(refused.x.is_nan() && refused.y.is_nan() && refused.z.is_nan());
+    }
+}
+
+/// Every public type and error has `defmt::Format`. Compiled, never run: formatting needs a logger for the whole program.
+#[cfg(feature = "defmt")]
+const _: () = {
+    use ::defmt::Format;
+    use terrella::cube::*;
+    use terrella::latitude::*;
+    use terrella::math::Polynomial;
+    use terrella::{
+        Direction, Ellipsoid, InvalidDirection, InvalidEllipsoid, InvalidLatLon, LatLon, Latitude, Shift, Shifted,
+    };
+
+    const fn formats<T: Format>() {}
+
+    const fn generic<T: Format>() {
+        formats::<LatLon<T>>();
+        formats::<InvalidLatLon<T>>();
+        formats::<Direction<T>>();
+        formats::<InvalidDirection<T>>();
+        formats::<Ellipsoid<T>>();
+        formats::<InvalidEllipsoid<T>>();
+        formats::<Shifted<T>>();
+        formats::<Conversion<T>>();
+        formats::<InvalidLatitude<T>>();
+        formats::<UnsupportedFlattening<T>>();
+        formats::<FacePoint<T>>();
+        formats::<InvalidFacePoint<T>>();
+        formats::<InvalidNumbered<T>>();
+        formats::<CubeMap<T, Projection>>();
+    }
+
+    generic::<f64>();
+    generic::<f32>();
+    formats::<Latitude>();
+    formats::<UnknownLatitude>();
+    formats::<Shift>();
+    formats::<UnknownShift>();
+    formats::<Face>();
+    formats::<InvalidFace>();
+    formats::<Edge>();
+    formats::<Neighbour>();
+    formats::<Corner>();
+    formats::<Numbering>();
+    formats::<Projection>();
+    formats::<UnknownProjection>();
+    formats::<Polynomial<3, 2>>();
+    formats::<QuadCube>();
+    formats::<Tangential>();
+    formats::<Adjusted>();
+    formats::<Outerra>();
+    formats::<Cobe>();
+    formats::<CobeExact>();
+    formats::<Quadrilateralized>();
+    formats::<Cartesian>();
+    formats::<Healpix>();
+    formats::<S2Quadratic>();
+    formats::<EquiEdge>();
+    formats::<Algebraic>();
+    formats::<Vertex>();
+    formats::<Conformal>();
+    formats::<Balanced>();
+    formats::<Square>();
+    formats::<Separable>();
+};
