@@ -28,8 +28,8 @@ pub fn errors(ours: &[Solver], theirs: &[Solver], earth: &Truth, side: u32) -> R
     let on_sphere = of(Figure::Sphere).map(|s| (s, &sphere, " on the sphere"));
     let on_earth = of(Figure::Ellipsoid).map(|s| (s, earth, ""));
     let classic = theirs.iter().filter(|s| s.name == CLASSIC).map(|s| (s, earth, ""));
-    let double = of(Figure::Sphere).filter(|s| s.scalar == Scalar::F64);
-    let as_model = double.last().into_iter().map(|s| (s, earth, " as the Earth"));
+    let mut double = of(Figure::Sphere).filter(|s| s.scalar == Scalar::F64);
+    let as_model = double.next_back().into_iter().map(|s| (s, earth, " as the Earth"));
     let panels: Vec<_> = on_sphere.chain(on_earth).chain(classic).chain(as_model).collect();
     let scale = Scale {
         exponents: [-9.0, 5.0],
@@ -60,7 +60,7 @@ pub fn errors(ours: &[Solver], theirs: &[Solver], earth: &Truth, side: u32) -> R
 fn note(cells: &[Option<f64>]) -> String {
     match cells.iter().filter(|cell| cell.is_none()).count() {
         0 => format!("≤ {}", length(cells.iter().copied().flatten().fold(0.0, f64::max))),
-        none => format!("no answer: {}", percent(none as f64 / cells.len() as f64)),
+        none => format!("none for {}", percent(none as f64 / cells.len() as f64)),
     }
 }
 

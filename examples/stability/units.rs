@@ -48,7 +48,7 @@ pub fn length(metres: f64) -> String {
         .find(|&(size, _)| metres >= size)
         .unwrap_or((1e-12, "pm"));
     let value = metres / size;
-    format!("{value:.*} {unit}", usize::from(value < 10.0))
+    format!("{value:.*} {unit}", usize::from(value < 9.95))
 }
 
 /// A share of one.

@@ -23,7 +23,7 @@ use crate::{InvalidEllipsoid, LatLon, Real};
 /// use terrella::geodesic::{Geodesic, Haversine, Inverse};
 /// let sphere = Haversine::new(6_371_000.0)?;
 /// let way: Inverse<f64> = sphere.inverse(LatLon::new(59.91, 10.75)?, LatLon::new(52.52, 13.40)?)?;
-/// assert_eq!(format!("{:.1}", way.distance), "837895.5");
+/// assert_eq!(format!("{:.1}", way.distance), "837735.1");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

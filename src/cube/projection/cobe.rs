@@ -26,7 +26,7 @@ pub struct CobeExact;
 ///
 /// ```
 /// use terrella::{Direction, cube::{CubeProjection, QuadCube}};
-/// let d = Direction::new(3.0, 1.0, -2.0)?;
+/// let d = Direction::new(3.0_f64, 1.0, -2.0)?;
 /// let p = QuadCube::COBE.project(d);
 /// let back = QuadCube::COBE.unproject(p);
 /// assert!((back.y() - d.y()).abs() < 1e-15);

@@ -18,7 +18,7 @@ use crate::{LatLon, Real};
 /// let earth = Karney::new(Ellipsoid::wgs84()).unwrap();
 /// let line = earth.line(LatLon::new(40.6_f64, -73.8).unwrap(), 53.5).unwrap();
 /// let point = line.at(1_000_000.0).unwrap();
-/// assert!((point.position.lat() - 45.4535).abs() < 1e-3);
+/// assert!((point.position.lat() - 45.515_600).abs() < 1e-6);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
