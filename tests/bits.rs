@@ -3,8 +3,10 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
 
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection, QuadCube};
+use terrella::frame::{Aer, LocalFrame};
+use terrella::geodesic::{Area, Geodesic, Method};
 use terrella::latitude::Conversion;
-use terrella::{Direction, Ellipsoid, LatLon, Latitude, Real, Shift, Shifted, math};
+use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, Latitude, Real, Shift, Shifted, math};
 
 /// FNV-1a over the bits of `f64` values; an `f32` is exact in one.
 struct Hash(u64);
@@ -119,6 +121,36 @@ fn projections<T: Real + Into<f64>>(arguments: &mut Arguments, hash: &mut Hash) 
     hash.add([place.lat(), place.lon()]);
 }
 
+fn geodesics<T: Real + Into<f64>>(arguments: &mut Arguments, hash: &mut Hash) {
+    let [a, b, c, d]: [T; 4] = [(); 4].map(|()| arguments.next());
+    let (quarter, half) = (T::of(90.0), T::of(180.0));
+    let (from, to) = (
+        LatLon::new(a * quarter, b * half).unwrap(),
+        LatLon::new(c * quarter, d * half).unwrap(),
+    );
+    for &method in Method::ALL {
+        let method = method.on(Ellipsoid::wgs84()).unwrap();
+        let inverse = method.inverse(from, to).unwrap();
+        let direct = method.direct(from, b * half, a * T::of(2e7)).unwrap();
+        hash.add([inverse.distance, inverse.azimuth1, inverse.azimuth2]);
+        hash.add([direct.position.lat(), direct.position.lon(), direct.azimuth]);
+    }
+    hash.add([Area::new(Ellipsoid::wgs84()).unwrap().under(from, to)]);
+}
+
+fn frames<T: Real + Into<f64>>(arguments: &mut Arguments, hash: &mut Hash) {
+    let [a, b, c]: [T; 3] = [(); 3].map(|()| arguments.next());
+    let place = Geodetic::new(LatLon::new(a * T::of(90.0), b * T::of(180.0)).unwrap(), c * T::of(1e6)).unwrap();
+    let earth = Ellipsoid::wgs84();
+    let ecef = earth.to_ecef(place);
+    let back = earth.to_geodetic(Ecef::new(b * T::of(1e7), c * T::of(1e7), a * T::of(1e7)).unwrap());
+    hash.add(ecef.to_array());
+    hash.add([back.lat(), back.lon(), back.height()]);
+    let enu = LocalFrame::new(earth, place).geodetic_to_enu(back);
+    let aer = Aer::from(enu);
+    hash.add([enu.east, enu.north, enu.up, aer.azimuth, aer.elevation, aer.range]);
+}
+
 #[test]
 fn bits_are_the_same_everywhere() {
     let found = [
@@ -127,6 +159,8 @@ fn bits_are_the_same_everywhere() {
         ("latitudes", hash(latitudes::<f64>), hash(latitudes::<f32>)),
         ("shifts", hash(shifts::<f64>), hash(shifts::<f32>)),
         ("projections", hash(projections::<f64>), hash(projections::<f32>)),
+        ("geodesics", hash(geodesics::<f64>), hash(geodesics::<f32>)),
+        ("frames", hash(frames::<f64>), hash(frames::<f32>)),
     ];
     // A change of the arithmetic changes these on purpose; a change of machine or features never does.
     let expected = [
@@ -135,6 +169,8 @@ fn bits_are_the_same_everywhere() {
         ("latitudes", 0xe7b4_3f65_1351_5f0e, 0xb36f_23f0_c222_9bca),
         ("shifts", 0x8043_2258_0bd1_5690, 0xff82_678a_d8ec_18aa),
         ("projections", 0x2106_50cb_b938_4c34, 0xc59a_195e_64b5_1b66),
+        ("geodesics", 0x6fba_8d63_3b29_3399, 0xf71e_e5fc_5b5f_de18),
+        ("frames", 0xf081_14e4_30f8_1b58, 0x660a_bb57_bc4c_82fb),
     ];
     assert_eq!(found, expected, "found {found:#x?}");
 }

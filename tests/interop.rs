@@ -167,10 +167,13 @@ mod glam {
 const _: () = {
     use ::defmt::Format;
     use terrella::cube::*;
+    use terrella::frame::{Aer, Enu, LocalFrame, Ned};
+    use terrella::geodesic::*;
     use terrella::latitude::*;
     use terrella::math::Polynomial;
     use terrella::{
-        Direction, Ellipsoid, InvalidDirection, InvalidEllipsoid, InvalidLatLon, LatLon, Latitude, Shift, Shifted,
+        Direction, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidEllipsoid, InvalidHeight,
+        InvalidLatLon, LatLon, Latitude, Shift, Shifted,
     };
 
     const fn formats<T: Format>() {}
@@ -190,10 +193,29 @@ const _: () = {
         formats::<InvalidFacePoint<T>>();
         formats::<InvalidNumbered<T>>();
         formats::<CubeMap<T, Projection>>();
+        formats::<Geodetic<T>>();
+        formats::<InvalidHeight<T>>();
+        formats::<Ecef<T>>();
+        formats::<InvalidEcef<T>>();
+        formats::<LocalFrame<T>>();
+        formats::<Enu<T>>();
+        formats::<Ned<T>>();
+        formats::<Aer<T>>();
+        formats::<AnyMethod<T>>();
+        formats::<GeodesicError<T>>();
+        formats::<Inverse<T>>();
+        formats::<Direct<T>>();
+        formats::<Solution<T>>();
+        formats::<Line<T>>();
+        formats::<LinePoint<T>>();
+        formats::<Area<T>>();
+        formats::<PolygonArea<T>>();
     }
 
     generic::<f64>();
     generic::<f32>();
+    formats::<Method>();
+    formats::<UnknownMethod>();
     formats::<Latitude>();
     formats::<UnknownLatitude>();
     formats::<Shift>();

@@ -1,15 +1,14 @@
 //! The second and third pictures: maps of the square of ±1 degree about an antipode.
 
-use std::hint::black_box;
-use std::time::Instant;
-
 use rayon::prelude::*;
+use terrella::geodesic::{Karney, Vincenty};
+use terrella::{Ellipsoid, LatLon, Real};
 
 use crate::pair::{Pair, Place, Scalar, Truth};
 use crate::scale::{Scale, hatch_legend};
 use crate::solver::{CLASSIC, Figure, Solver, radius};
 use crate::svg::{Area, Svg};
-use crate::units::{length, metres, percent, seconds};
+use crate::units::{length, metres, percent};
 
 /// Whose antipode it is. Neither number is round in binary.
 const FROM: Place = Place { lat: 30.1, lon: 10.3 };
@@ -17,9 +16,6 @@ const FROM: Place = Place { lat: 30.1, lon: 10.3 };
 const REACH: f64 = 1.0;
 const COLUMNS: usize = 4;
 const PANEL: f64 = 300.0;
-/// Clocked calls in a row, and rounds over the map.
-const CALLS: u32 = 2;
-const ROUNDS: usize = 5;
 
 /// Draws the errors, in metres.
 pub fn errors(ours: &[Solver], theirs: &[Solver], earth: &Truth, side: u32) -> Result<Svg, String> {
@@ -64,46 +60,44 @@ fn note(cells: &[Option<f64>]) -> String {
     }
 }
 
-/// Draws the times, in seconds.
-pub fn times(ours: &[Solver], theirs: &[Solver], side: u32) -> Result<Svg, String> {
-    let exact = ours.iter().filter(|s| matches!(s.name, "Vincenty" | "Karney"));
-    let panels: Vec<_> = exact.chain(theirs.iter().filter(|s| s.name == CLASSIC)).collect();
+/// Draws how often the methods that iterate evaluate the longitude.
+pub fn steps(side: u32) -> Result<Svg, String> {
+    fn both<T: Real>(
+        lift: impl Fn(f64) -> T + Copy + Sync,
+    ) -> Result<[impl Fn(Pair) -> Option<f64> + Sync; 2], String> {
+        let earth = Ellipsoid::<T>::wgs84();
+        let vincenty = Vincenty::new(earth).map_err(|why| why.to_string())?;
+        let karney = Karney::new(earth).map_err(|why| why.to_string())?;
+        let count = move |pair: Pair, is_karney: bool| {
+            let place = |p: Place| LatLon::new(lift(p.lat), lift(p.lon)).ok();
+            let (from, to) = (place(pair.from)?, place(pair.to)?);
+            let evaluations = if is_karney {
+                Some(karney.solve(from, to).evaluations)
+            } else {
+                vincenty.evaluations(from, to)
+            };
+            evaluations.map(|count| count as f64)
+        };
+        Ok([false, true].map(|is_karney| move |pair| count(pair, is_karney)))
+    }
     let scale = Scale {
-        exponents: [-7.0, -5.0],
-        unit: seconds,
+        exponents: [0.0, 1.0],
+        unit: |exponent| 10_u32.pow(exponent.unsigned_abs()).to_string(),
     };
-    let mut sheet = Sheet::new(panels.len());
-    for solver in panels {
-        let pairs: Vec<_> = pairs(side)
-            .into_iter()
-            .map(|pair| pair.rounded(solver.scalar))
-            .collect();
-        let mut cells = vec![Some(f64::INFINITY); pairs.len()];
-        // The shortest of a few rounds. One pair after the other: two at a time would disturb each other's clocks.
-        for _ in 0..ROUNDS {
-            for (cell, &pair) in cells.iter_mut().zip(&pairs) {
-                *cell = cell.map(|best| best.min(time(solver, pair)));
-            }
-        }
-        sheet.add(
-            &format!("{}, {}", solver.name, solver.scalar.name()),
-            "",
-            scale,
-            side,
-            &cells,
-        )?;
-    }
-    sheet.finish(scale, "time of one distance")?;
+    let mut sheet = Sheet::new(4);
+    let mut draw = |title: &str, count: &(dyn Fn(Pair) -> Option<f64> + Sync)| {
+        let cells: Vec<_> = pairs(side).into_par_iter().map(count).collect();
+        let most = cells.iter().copied().flatten().fold(0.0, f64::max);
+        sheet.add(title, &format!("≤ {most}"), scale, side, &cells)
+    };
+    let [vincenty, karney] = both::<f64>(|x| x)?;
+    draw("Vincenty, f64", &vincenty)?;
+    draw("Karney, f64", &karney)?;
+    let [vincenty, karney] = both::<f32>(|x| x as f32)?;
+    draw("Vincenty, f32", &vincenty)?;
+    draw("Karney, f32", &karney)?;
+    sheet.finish(scale, "evaluations of the longitude")?;
     Ok(sheet.svg)
-}
-
-/// The time of one answer in seconds.
-fn time(solver: &Solver, pair: Pair) -> f64 {
-    let start = Instant::now();
-    for _ in 0..CALLS {
-        let _ = black_box(solver.distance(black_box(pair)));
-    }
-    start.elapsed().as_secs_f64() / f64::from(CALLS)
 }
 
 /// The pairs of a map, row by row from the north.

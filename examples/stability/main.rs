@@ -72,7 +72,7 @@ fn pictures(options: &Options) -> Result<String, String> {
             distance::draw(&ours, &theirs, &truth, options.pairs_per_bin()),
         ),
         (&page::ANTIPODE, antipode::errors(&ours, &theirs, &truth, side)?),
-        (&page::TIMES, antipode::times(&ours, &theirs, side)?),
+        (&page::STEPS, antipode::steps(side)?),
         (&page::SECTION, section::draw(side)?),
     ];
     for (picture, svg) in &drawn {

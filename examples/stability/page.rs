@@ -73,8 +73,8 @@ pub const DISTANCE: Picture = Picture {
                  of the way around, and tens of kilometres wrong at the end of it. Bowring holds a millimetre up to \
                  100 km; the flat model up to some kilometres, and less near a pole. The sphere is half a percent off \
                  at any distance, whatever the formula. In <code>f32</code> Vincenty, and in their range Bowring and \
-                 the second Andoyer, keep seven digits of the distance; Karney in <code>f32</code> keeps a metre, \
-                 between neighbours too, so it is not for those.",
+                 the second Andoyer, keep seven digits of the distance; Karney does so between neighbours, and \
+                 keeps a metre beyond.",
 };
 
 pub const ANTIPODE: Picture = Picture {
@@ -91,16 +91,13 @@ pub const ANTIPODE: Picture = Picture {
                  loses none. As a model of the Earth either is ten kilometres off anyway.",
 };
 
-pub const TIMES: Picture = Picture {
-    file: "times",
+pub const STEPS: Picture = Picture {
+    file: "steps",
     title: "What the far side costs",
-    legend: "The time of one distance in the same square, the shortest of a few measurements on the machine that made \
-             this page. Each edge between two colours is a step of iteration more or less.",
+    legend: "How often a distance in the same square evaluates the longitude of its end; at the upper right the most.",
     conclusion: "Karney takes the same few steps nearly everywhere. Vincenty with Newton’s steps takes the most at two \
                  points to the east and the west, where the shortest line turns from crossing the meridians to \
-                 following the parallel, and is about as long there as Karney. The usual iteration takes ever more \
-                 steps toward the region where it gives up, and there all of its hundred for nothing: who falls back \
-                 from it to another method pays for both.",
+                 following the parallel. Both are bounded: a flight computer can budget for the worst of them.",
 };
 
 pub const SECTION: Picture = Picture {

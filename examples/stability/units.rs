@@ -8,11 +8,6 @@ pub fn metres(exponent: i32) -> String {
     }
 }
 
-/// A power of ten of seconds, in the unit that suits it.
-pub fn seconds(exponent: i32) -> String {
-    small(exponent, "s")
-}
-
 fn small(exponent: i32, unit: &str) -> String {
     let (prefix, of_prefix) = match exponent {
         0.. => ("", exponent),

@@ -5,7 +5,7 @@ use crate::latitude::UnsupportedFlattening;
 use crate::math::{atan2_degrees, max, min, select, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// The flat model: a plane whose scales are the radii of curvature at the middle latitude. The cheapest there is.
+/// The flat model: a plane whose scales are the radii of curvature at the middle latitude. The cheapest inverse there is.
 ///
 /// North M Δφ and east N cos φ Δλ, with M and N at the mean of the latitudes; the azimuths are half of the meridians'
 /// convergence Δλ sin φ to either side of the plane's.
@@ -94,7 +94,7 @@ impl<T: Real> Geodesic<T> for Flat<T> {
         let (half, half_circle) = (T::of(0.5), T::of(180.0));
         let within = |x: T, limit: T| max(min(x, limit), -limit);
         let (mut lat, mut lon, mut convergence) = (T::ZERO, T::ZERO, T::ZERO);
-        for _ in 0..4 {
+        for _ in 0..3 {
             let middle = within(from.lat() + half * lat, T::of(90.0));
             let scale = self.scale(Split::sum(middle, T::ZERO));
             let (sin, cos) = sin_cos_degrees(convergence);

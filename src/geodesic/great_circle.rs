@@ -1,6 +1,6 @@
 use super::degrees::{Split, heading, hypot, latitude_difference, longitude_difference, off_pole, wrapped};
 use super::{Direct, Geodesic, GeodesicError, Inverse};
-use crate::math::{atan2, atan2_degrees, select, sin_cos, sin_cos_degrees};
+use crate::math::{atan2, atan2_degrees, sin_cos, sin_cos_degrees};
 use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
 /// The great circle: the shortest line on a sphere, as accurate between neighbours and near the antipode as anywhere.
@@ -75,12 +75,11 @@ impl<T: Real> Delambre<T> {
     /// The side, in radians.
     #[inline(always)]
     pub fn angle(&self) -> T {
-        let sin = hypot(self.sum.0, self.sum.1);
-        let cos = hypot(self.difference.0, self.difference.1);
-        // Where one is small, the other comes from it with less rounding than its own.
-        let other = |x: T| ((T::ONE - x) * (T::ONE + x)).sqrt();
-        let (small, from_cos, from_sin) = (T::of(0.25), other(cos), other(sin));
-        T::of(2.0) * atan2(select(cos < small, from_cos, sin), select(sin < small, from_sin, cos))
+        T::of(2.0)
+            * atan2(
+                hypot(self.sum.0, self.sum.1),
+                hypot(self.difference.0, self.difference.1),
+            )
     }
 
     /// The azimuths at both ends.

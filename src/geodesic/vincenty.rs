@@ -25,7 +25,7 @@ use crate::{Ellipsoid, LatLon, Real};
 ///
 /// These hold at every latitude. A longer line, of several circuits, adds 2e-16 (1e-7) of its length and as much of the series' error as it is longer.
 ///
-/// Three to five evaluations are usual, up to 40 allowed: next to where the shortest line turns from east to north, 25 or so are needed. An inverse is never wrong: what does not close is
+/// Three or four evaluations are usual, and 40 allowed: next to where the shortest line turns from east to north, more than 20 are needed. An inverse is never wrong: what does not close is
 /// [`GeodesicError::NotConverged`]. No pair of places is known for which that happens, in `f64` or in `f32`; 10⁷ of the hardest were tried.
 ///
 /// Coincident places: distance 0, azimuths 0. At a pole an azimuth counts from the meridian of the given longitude. Of several
@@ -63,7 +63,7 @@ struct Series<T> {
     c3: [T; 3],
 }
 
-/// Evaluations of the longitude at most; the hardest pairs of places need 30.
+/// Evaluations of the longitude at most; the hardest pairs of places need more than 20.
 const STEPS: usize = 40;
 
 impl<T: Real> Vincenty<T> {
@@ -124,16 +124,23 @@ impl<T: Real> Vincenty<T> {
         }
     }
 
-    /// The arc whose longitude on the ellipsoid is that of the ends, and its series.
+    /// How often the inverse evaluates the longitude between two places, or none if it does not converge: what it costs near the antipode.
+    #[must_use]
+    pub fn evaluations(&self, from: LatLon<T>, to: LatLon<T>) -> Option<usize> {
+        let (_, _, evaluations) = self.solve(&Ends::new(self.axes, from, to))?;
+        Some(evaluations)
+    }
+
+    /// The arc whose longitude on the ellipsoid is that of the ends, its series, and after how many evaluations.
     #[inline]
-    fn solve(&self, ends: &Ends<T>) -> Option<(Arc<T>, Series<T>)> {
+    fn solve(&self, ends: &Ends<T>) -> Option<(Arc<T>, Series<T>, usize)> {
         let mut x = ends.lon;
         // On a prolate ellipsoid from beyond the solution, where the slope is positive; on an oblate one Newton's steps come from
         // x = 0 without ever passing it.
         if ends.far() && self.f < T::ZERO {
             x += -self.f * T::of(3.2) * ends.steepest();
         }
-        for _ in 0..STEPS {
+        for evaluations in 1..=STEPS {
             let arc = ends.arc(x);
             let series = self.series(arc.cos2_alpha);
             let integral = series.a3 * (arc.sigma + arc.waves(&series.c3, T::terms(3, 2)));
@@ -143,7 +150,7 @@ impl<T: Real> Vincenty<T> {
             // Where numbers are subnormal there is no relative error to speak of.
             let rounding = T::of(4.0) * T::EPSILON * (ends.lon + shift.abs()) + T::pick(1e-300, 1e-36);
             if residual.abs() <= rounding {
-                return (slope > T::ZERO).then_some((arc, series));
+                return (slope > T::ZERO).then_some((arc, series, evaluations));
             }
             let next = max(x + residual / slope, T::ZERO);
             if next == x {
@@ -158,7 +165,7 @@ impl<T: Real> Vincenty<T> {
 impl<T: Real> Geodesic<T> for Vincenty<T> {
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         let ends = Ends::new(self.axes, from, to);
-        let (arc, series) = self.solve(&ends).ok_or(GeodesicError::NotConverged(from, to))?;
+        let (arc, series, _) = self.solve(&ends).ok_or(GeodesicError::NotConverged(from, to))?;
         let (azimuth1, azimuth2) = arc.azimuths();
         Ok(Inverse {
             distance: self.a * (self.axes * series.a1 * (arc.sigma + arc.waves(&series.c1, T::terms(4, 2)))),

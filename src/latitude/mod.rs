@@ -123,17 +123,18 @@ impl From<Shift> for Latitude {
     }
 }
 
-/// A flattening outside the range in which a latitude's formula keeps its accuracy.
+/// A flattening outside the range in which a formula keeps its accuracy.
 ///
 /// That is −1/9 ≤ f ≤ 1/10 for the series of the authalic, conformal, rectifying and isometric latitudes, and −1 ≤ f ≤ ½ for the
-/// geocentric and parametric ones; the geodetic latitude needs no formula.
+/// geocentric and parametric ones; the geodetic latitude needs no formula. [`Karney`](crate::geodesic::Karney)'s geodesics hold for −1/9 ≤ f ≤ 1/10,
+/// the other methods on the ellipsoid for |f| ≤ 1/60.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UnsupportedFlattening<T>(pub T);
 
 impl<T: fmt::Debug> fmt::Display for UnsupportedFlattening<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "flattening {:?} is out of range for this latitude", self.0)
+        write!(f, "flattening {:?} is out of range for this formula", self.0)
     }
 }
 

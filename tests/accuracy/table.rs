@@ -20,12 +20,19 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("isometric latitude, relative to 1 or more", "", [3.2e-16, 1.5e-7]),
     ("latitudes below 0.1, relative", "ulp", [2.6, 2.6]),
     ("Karney inverse, distance", "m", [7e-9, 3.0]),
+    ("Karney inverse to 150 km, relative to 1 m or more", "", [2e-9, 1e-6]),
     ("Karney inverse, azimuth times length", "m", [1.5e-9, 3.0]),
     ("Karney inverse, reduced length", "m", [8e-9, 3.0]),
     ("Karney direct, position", "m", [1e-8, 3.0]),
     ("Karney direct, position after several circuits", "m", [2.6e-8, 3.0]),
-    ("Karney area under a line", "m²", [0.1, 1e9]),
-    ("Karney area under a line of less than 1000 km", "m²", [0.02, 1e6]),
+    ("Karney area under a line", "m²", [0.1, 2e7]),
+    ("Karney area under a line of less than 1000 km", "m²", [0.02, 2e5]),
+    ("GreatCircle distance, relative", "", [4e-16, 2e-7]),
+    ("Vincenty inverse, distance", "m", [1e-8, 7.0]),
+    ("Ellipsoid::to_ecef below 100 km", "m", [7e-10, 0.4]),
+    ("Ellipsoid::to_ecef to 50 000 km", "m", [5e-9, 2.1]),
+    ("Ellipsoid::to_geodetic below 100 km, down to the centre", "m", [2e-9, 0.8]),
+    ("Ellipsoid::to_geodetic to 50 000 km", "m", [8e-9, 3.5]),
     ("Karney on Mars and the Moon", "m", [4e-9, 1.0]),
     ("Karney for f = 1/10 and −1/150", "m", [1.2e-8, 1.0]),
 ];
@@ -96,8 +103,16 @@ fn the_issue_is_met() {
 #[test]
 fn the_readme_shows_this_table() {
     let mut table = String::from("| | unit | `f64` | `f32` |\n|---|---|---|---|\n");
-    for (what, unit, [double, single]) in FUNCTIONS {
-        table += &format!("| {what} | {unit} | {double:?} | {single:?} |\n");
+    let number = |value: f64| {
+        if value < 1e3 {
+            format!("{value:?}")
+        } else {
+            format!("{value:e}")
+        }
+    };
+    for (what, unit, claimed) in FUNCTIONS {
+        let [double, single] = claimed.map(number);
+        table += &format!("| {what} | {unit} | {double} | {single} |\n");
     }
     table += "\n| projection | x, y: `f64` | `f32` | direction, rad: `f64` | `f32` |\n|---|---|---|---|---|\n";
     for (projection, [fd, fs], [id, is]) in PROJECTIONS {

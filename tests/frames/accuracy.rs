@@ -1,7 +1,7 @@
 //! `to_ecef` and `to_geodetic` against the truth: the largest error of every file, by height.
 
 use crate::truth::{Row, Scalar, Truth};
-use crate::{ecef, ellipsoid, geodetic, length};
+use crate::{ecef, ellipsoid, geodetic, length, table};
 
 const EARTH_AXES: [&str; 3] = ["X", "Y", "Z"];
 
@@ -24,7 +24,7 @@ impl Bands {
     }
 }
 
-fn forward<T: Scalar>(name: &str, claimed: [f64; 3], ulps: f64) {
+fn forward<T: Scalar>(name: &str, claimed: [f64; 3], ulps: f64) -> [f64; 3] {
     let (mut worst, mut worst_ulps) = (Bands::default(), 0.0_f64);
     let truth = Truth::read(&format!("ecef_forward_{name}"));
     for row in truth.exact_in::<T>(&["lat", "lon", "h"]) {
@@ -41,6 +41,7 @@ fn forward<T: Scalar>(name: &str, claimed: [f64; 3], ulps: f64) {
     println!("{worst_ulps:.2} ulp of the radius");
     assert!(worst_ulps <= ulps, "{name}: {worst_ulps} ulp of the radius");
     worst.hold(&format!("forward {name} {}", T::NAME), claimed);
+    worst.0
 }
 
 /// The error of a height; one far smaller than its error is not compared digit by digit.
@@ -55,7 +56,7 @@ fn height_error<T: Scalar>(row: Row<'_>, height: T) -> f64 {
 
 /// `position`: the distance from the true latitude, longitude and height. `height`: that of the height alone.
 /// `back`: from the point, after the way back.
-fn reverse<T: Scalar>(name: &str, position: [f64; 3], height: [f64; 3], back: [f64; 3]) {
+fn reverse<T: Scalar>(name: &str, position: [f64; 3], height: [f64; 3], back: [f64; 3]) -> [f64; 3] {
     let mut worst = [Bands::default(); 3];
     let e = ellipsoid::<T>(name);
     let (a, e2): (f64, f64) = (e.a().into(), e.e2().into());
@@ -82,15 +83,24 @@ fn reverse<T: Scalar>(name: &str, position: [f64; 3], height: [f64; 3], back: [f
     worst_position.hold(&format!("reverse {name} {}", T::NAME), position);
     worst_height.hold("  height", height);
     worst_back.hold("  there and back", back);
+    worst_position.0
+}
+
+/// Holds the rows of the table, near and far, with the Earth's errors in both scalars.
+fn hold(what: &str, double: [f64; 3], single: [f64; 3]) {
+    let far = |bands: [f64; 3]| bands[1].max(bands[2]);
+    table::hold(&format!("{what} to 50 000 km"), [far(double), far(single)]);
 }
 
 #[test]
 fn to_ecef_is_as_accurate_as_claimed() {
-    forward::<f64>("wgs84", [1.5e-9, 2.5e-9, 9e-9], 0.7);
+    let double = forward::<f64>("wgs84", [1.5e-9, 2.5e-9, 9e-9], 0.7);
     forward::<f64>("moon", [0.4e-9, 0.6e-9, 5e-9], 0.7);
     forward::<f64>("oblate10", [1.5e-9, 2e-9, 9e-9], 0.7);
     forward::<f64>("prolate150", [1.5e-9, 2e-9, 9e-9], 0.7);
-    forward::<f32>("wgs84", [0.5, 0.8, 3.0], 0.7);
+    let single = forward::<f32>("wgs84", [0.5, 0.8, 3.0], 0.7);
+    table::hold("Ellipsoid::to_ecef below 100 km", [double[0], single[0]]);
+    hold("Ellipsoid::to_ecef", double, single);
     for name in ["moon", "oblate10", "prolate150"] {
         forward::<f32>(name, [0.5, 0.9, 3.0], 0.7);
     }
@@ -98,7 +108,7 @@ fn to_ecef_is_as_accurate_as_claimed() {
 
 #[test]
 fn to_geodetic_is_as_accurate_as_claimed() {
-    reverse::<f64>(
+    let double = reverse::<f64>(
         "wgs84",
         [2e-9, 2e-9, 8e-9],
         [1.1e-9, 1e-9, 4e-9],
@@ -117,7 +127,12 @@ fn to_geodetic_is_as_accurate_as_claimed() {
         [1.1e-9, 1e-9, 4e-9],
         [2.5e-9, 3e-9, 1.3e-8],
     );
-    reverse::<f32>("wgs84", [0.8, 0.8, 3.5], [0.2, 0.2, 2.0], [1.0, 1.0, 6.0]);
+    let single = reverse::<f32>("wgs84", [0.8, 0.8, 3.5], [0.2, 0.2, 2.0], [1.0, 1.0, 6.0]);
+    table::hold(
+        "Ellipsoid::to_geodetic below 100 km, down to the centre",
+        [double[0], single[0]],
+    );
+    hold("Ellipsoid::to_geodetic", double, single);
 }
 
 /// Rows between the surface's −10 km and 100 km.

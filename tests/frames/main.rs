@@ -12,6 +12,9 @@ mod extremes;
 mod local;
 mod nearest;
 mod round_trip;
+#[path = "../accuracy/table.rs"]
+#[allow(dead_code)] // other tests use the rest of it
+mod table;
 #[path = "../accuracy/truth.rs"]
 #[allow(dead_code)] // other tests use the rest of it
 mod truth;

@@ -83,9 +83,9 @@ fn distances_are_as_accurate_as_claimed() {
     for (what, double, single) in figures {
         println!("{what}: {double:.2e} {single:.2e}");
     }
-    for (what, double, single) in figures {
-        assert!(double <= 4e-16 && single <= 2.0e-7, "{what}");
-    }
+    let worst = figures.map(|(_, double, single)| [double, single]);
+    let largest = |i: usize| worst.iter().map(|pair| pair[i]).fold(0.0, f64::max);
+    crate::table::hold("GreatCircle distance, relative", [largest(0), largest(1)]);
 }
 
 #[test]

@@ -210,6 +210,47 @@ fn what_is_not_finite_is_refused() {
     assert!(Karney::new(Ellipsoid::new(1.0_f64, 0.2).unwrap()).is_err());
 }
 
+/// Between neighbours a distance keeps its digits: in `f32` against `f64` at the same places.
+#[test]
+fn short_lines_keep_their_digits() {
+    let (single, double) = (
+        Karney::<f32>::new(ellipsoid("wgs84")).unwrap(),
+        Karney::<f64>::new(ellipsoid("wgs84")).unwrap(),
+    );
+    let mut rng = fastrand::Rng::with_seed(9);
+    let signed = |rng: &mut fastrand::Rng| 2.0 * rng.f32() - 1.0;
+    let mut worst = 0.0_f64;
+    for i in 0..100_000 {
+        let (lat, lon) = (85.0 * signed(&mut rng), 170.0 * signed(&mut rng));
+        let size = 10f32.powf(-5.0 * rng.f32());
+        let east = if i % 4 == 0 { 0.0 } else { size * signed(&mut rng) };
+        let (lat2, lon2) = (lat + size * signed(&mut rng), lon + east);
+        let both = |lat: f32, lon: f32| {
+            (
+                LatLon::new(lat, lon).unwrap(),
+                LatLon::new(f64::from(lat), f64::from(lon)).unwrap(),
+            )
+        };
+        let ((from, from64), (to, to64)) = (both(lat, lon), both(lat2, lon2));
+        let expected = double.solve(from64, to64).inverse.distance;
+        let found = f64::from(single.solve(from, to).inverse.distance);
+        worst = worst.max((found - expected).abs() / expected.max(1.0));
+    }
+    let truth = Truth::read("geod_inverse_wgs84");
+    let short = truth
+        .exact_in::<f64>(&["lat1"])
+        .into_iter()
+        .filter(|row| row.value("s12") < 1.5e5);
+    let errors = short.map(|row| {
+        let found = double.solve(place(row, "lat1", "lon1"), place(row, "lat2", "lon2"));
+        row.error("s12", found.inverse.distance) / row.value("s12").max(1.0)
+    });
+    hold(
+        "Karney inverse to 150 km, relative to 1 m or more",
+        [errors.fold(0.0, f64::max), worst],
+    );
+}
+
 /// Corners around a place, and the same polygon by GeographicLib.
 fn polygons(corners: &[(f64, f64)]) -> [[f64; 2]; 2] {
     let area = Area::<f64>::new(ellipsoid("wgs84")).unwrap();

@@ -16,8 +16,10 @@ mod haversine;
 mod karney;
 mod sample;
 mod stability;
+#[allow(dead_code)] // shared
 #[path = "../accuracy/table.rs"]
 mod table;
+#[allow(dead_code)] // shared
 #[path = "../accuracy/truth.rs"]
 mod truth;
 mod vincenty;

@@ -157,6 +157,7 @@ impl<T: Real> Area<T> {
 /// assert!((octant.area() - 510_065_621_724_088.44_f64 / 8.0).abs() < 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PolygonArea<'a, T> {
     area: &'a Area<T>,
     first: Option<LatLon<T>>,
@@ -240,6 +241,7 @@ fn crossing<T: Real>(from: T, to: T) -> i32 {
 
 /// A sum that keeps what each addition lost.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Sum<T> {
     high: T,
     low: T,

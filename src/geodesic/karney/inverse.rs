@@ -16,6 +16,8 @@ pub(super) struct Canonical<T> {
     pub beta2: Angle<T>,
     pub dn1: T,
     pub dn2: T,
+    /// sin(β₂ − β₁), from the difference of the latitudes.
+    rise: T,
     /// λ₁₂, in radians and as sine and cosine.
     lambda: T,
     lambda12: Angle<T>,
@@ -44,6 +46,8 @@ pub(super) struct Arc<T> {
     pub alpha2: Angle<T>,
     /// The longitude difference on the auxiliary sphere, ω₁₂; none along a meridian.
     pub omega: Option<Angle<T>>,
+    /// How often the longitude was evaluated.
+    pub evaluations: usize,
 }
 
 /// The square root of the smallest positive normal number: stands for a zero that a quotient must survive.
@@ -51,10 +55,10 @@ pub(super) fn tiny<T: Real>() -> T {
     T::pick(1.491_668_146_240_041_3e-154, 1.084_202_2e-19)
 }
 
-/// A latitude or azimuth in degrees with its smallest values, of no account on any planet, rounded to multiples of 2⁻⁵⁷ (2⁻²⁸) so that no
+/// A latitude or azimuth in degrees with its smallest values, of no account on any planet, rounded to multiples of 2⁻⁵⁷ (2⁻³⁸) so that no
 /// product of theirs underflows.
 pub(super) fn rounded<T: Real>(degrees: T) -> T {
-    let step = T::of(1.0 / 16.0);
+    let step = T::pick(1.0 / 16.0, 1.0 / 16384.0);
     let size = degrees.abs();
     let size = select(size < step, step - (step - size), size);
     size.copysign(degrees)
@@ -74,8 +78,9 @@ impl<T: Real> Canonical<T> {
         }
         let lat_sign = -T::ONE.copysign(lat1);
         let (lat1, lat2) = (lat1 * lat_sign, lat2 * lat_sign);
-        let beta1 = karney.reduced(lat1);
-        let mut beta2 = karney.reduced(lat2);
+        let (beta1, radius1) = karney.reduced(lat1);
+        let (mut beta2, radius2) = karney.reduced(lat2);
+        let (rise, _) = Split::sum(lat2, -lat1).sin_cos();
         // |β₁| = |β₂| exactly where rounding would hide it: the smaller of sine and cosine tells more.
         if beta1.cos < -beta1.sin {
             if beta2.cos == beta1.cos {
@@ -89,6 +94,8 @@ impl<T: Real> Canonical<T> {
             beta2,
             dn1: karney.dn(beta1.sin),
             dn2: karney.dn(beta2.sin),
+            // β = atan((1 − f) tan φ) for both.
+            rise: karney.axes * rise / (radius1 * radius2),
             lambda: (lon12 + rest) * T::of(PI / 180.0),
             lambda12: Angle { sin, cos },
             supplement: (T::of(180.0) - lon12) - rest,
@@ -168,16 +175,20 @@ impl<T: Real> Canonical<T> {
             cos: alpha1.cos * self.beta1.cos,
         };
         let sigma2 = self.beta2;
-        let mut sigma = arc_between(sigma1, sigma2);
+        let mut sigma = if alpha1.cos > T::ZERO {
+            atan2(self.rise, sigma1.cos * sigma2.cos + sigma1.sin * sigma2.sin)
+        } else {
+            arc_between(sigma1, sigma2)
+        };
         let lengths = karney.lengths(karney.ellipsoid.n(), sigma, self.node1(sigma1), self.node2(sigma2));
         let (mut distance, mut reduced) = (lengths.distance, lengths.reduced);
-        // A small arc with a reduced length below 0 is only rounding.
-        if !(sigma < T::EPSILON.sqrt() || reduced >= T::ZERO) {
-            return None;
-        }
-        let negative = distance < T::ZERO || reduced < T::ZERO;
-        if sigma < T::of(3.0) * tiny::<T>() || (sigma < T::EPSILON && negative) {
+        if sigma < T::of(3.0) * tiny::<T>() {
             (sigma, distance, reduced) = (T::ZERO, T::ZERO, T::ZERO);
+        } else if sigma < T::EPSILON.sqrt() {
+            // m₁₂ = s₁₂(1 − σ²/6 …): the differences of its formula would be all rounding.
+            reduced = distance;
+        } else if reduced < T::ZERO {
+            return None;
         }
         let b = karney.ellipsoid.b();
         Some(Arc {
@@ -188,6 +199,7 @@ impl<T: Real> Canonical<T> {
             alpha1,
             alpha2,
             omega: None,
+            evaluations: 0,
         })
     }
 
@@ -207,17 +219,36 @@ impl<T: Real> Canonical<T> {
             alpha1: east,
             alpha2: east,
             omega: Some(omega),
+            evaluations: 0,
         }
+    }
+
+    /// The triangle of the two points and the pole on the auxiliary sphere for the longitude difference ω₁₂: directions of both azimuths,
+    /// and sine and cosine of the side between the points. For cos ω₁₂ ≥ 0 nothing cancels.
+    fn triangle(&self, omega: Angle<T>) -> ([Angle<T>; 2], Angle<T>) {
+        let (beta1, beta2) = (self.beta1, self.beta2);
+        let versine = omega.sin * omega.sin / (T::ONE + omega.cos);
+        let alpha1 = Angle {
+            sin: beta2.cos * omega.sin,
+            cos: self.rise + beta2.cos * beta1.sin * versine,
+        };
+        let alpha2 = Angle {
+            sin: beta1.cos * omega.sin,
+            cos: self.rise - beta1.cos * beta2.sin * versine,
+        };
+        let sigma = Angle {
+            sin: hypot(alpha1.sin, alpha1.cos),
+            cos: beta1.sin * beta2.sin + beta1.cos * beta2.cos * omega.cos,
+        };
+        ([alpha1, alpha2], sigma)
     }
 
     /// Starting azimuth for Newton's method, or the answer itself for a short line (Karney §5).
     fn start(&self, karney: &Karney<T>) -> Start<T> {
         let (beta1, beta2) = (self.beta1, self.beta2);
-        // β₂ − β₁ in [0, π); β₂ + β₁ in (−π, 0].
-        let difference = beta2.minus(beta1);
-        let sum_sin = beta2.sin * beta1.cos + beta2.cos * beta1.sin;
         let half = T::of(0.5);
-        let short = difference.cos >= T::ZERO && difference.sin < half && beta2.cos * self.lambda < half;
+        let rise_cos = beta2.cos * beta1.cos + beta2.sin * beta1.sin;
+        let short = rise_cos >= T::ZERO && self.rise < half && beta2.cos * self.lambda < half;
         let mut dn = T::ONE;
         let mut omega = self.lambda12;
         if short {
@@ -230,25 +261,29 @@ impl<T: Real> Canonical<T> {
             let more = ellipsoid.e2() * (cosines / (sines + cosines)) / (scale * (T::ONE + scale));
             omega = omega.plus(Angle::radians(self.lambda * more));
         }
-        let versine = |c: T| omega.sin * omega.sin / (T::ONE + c);
-        let mut alpha1 = Angle {
-            sin: beta2.cos * omega.sin,
-            cos: if omega.cos >= T::ZERO {
-                difference.sin + beta2.cos * beta1.sin * versine(omega.cos)
-            } else {
-                sum_sin - beta2.cos * beta1.sin * versine(-omega.cos)
-            },
-        };
-        let sin12 = hypot(alpha1.sin, alpha1.cos);
-        let cos12 = beta1.sin * beta2.sin + beta1.cos * beta2.cos * omega.cos;
-        if short && sin12 < karney.short {
-            let bend = if omega.cos >= T::ZERO {
-                versine(omega.cos)
-            } else {
-                T::ONE - omega.cos
+        // β₁ + β₂ in (−π, 0].
+        let sum_sin = beta2.sin * beta1.cos + beta2.cos * beta1.sin;
+        let ([mut alpha1, alpha2], sigma) = if omega.cos >= T::ZERO {
+            self.triangle(omega)
+        } else {
+            // Seen from the antipode of the first point.
+            let versine = omega.sin * omega.sin / (T::ONE - omega.cos);
+            let alpha1 = Angle {
+                sin: beta2.cos * omega.sin,
+                cos: sum_sin - beta2.cos * beta1.sin * versine,
             };
-            let alpha2 = Angle::of(beta1.cos * omega.sin, difference.sin - beta1.cos * beta2.sin * bend);
-            let sigma12 = atan2(sin12, cos12);
+            let sigma = Angle {
+                sin: hypot(alpha1.sin, alpha1.cos),
+                cos: beta1.sin * beta2.sin + beta1.cos * beta2.cos * omega.cos,
+            };
+            let alpha2 = Angle {
+                sin: beta1.cos * omega.sin,
+                cos: self.rise - beta1.cos * beta2.sin * (T::ONE - omega.cos),
+            };
+            ([alpha1, alpha2], sigma)
+        };
+        if short && sigma.sin < karney.short {
+            let sigma12 = sigma.to_radians();
             let along = Angle::radians(sigma12 / dn);
             let b = karney.ellipsoid.b();
             return Start::Short(Arc {
@@ -257,13 +292,13 @@ impl<T: Real> Canonical<T> {
                 reduced: dn * dn * b * along.sin,
                 scales: [along.cos; 2],
                 alpha1: Angle::of(alpha1.sin, alpha1.cos),
-                alpha2,
+                alpha2: Angle::of(alpha2.sin, alpha2.cos),
                 omega: Some(omega),
+                evaluations: 0,
             });
         }
         let n = karney.ellipsoid.n().abs();
-        let antipodal = cos12 < T::ZERO && sin12 < T::of(6.0 * PI) * n * beta1.cos * beta1.cos;
-        if antipodal {
+        if sigma.cos < T::ZERO && sigma.sin < T::of(6.0 * PI) * n * beta1.cos * beta1.cos {
             alpha1 = self.antipodal(karney, sum_sin);
         }
         Start::Azimuth(if alpha1.sin > T::ZERO {
@@ -389,21 +424,30 @@ impl<T: Real> Canonical<T> {
             }
             hybrid = self.hybrid(karney, alpha1, step < newton_steps);
         }
+        let omega = self.lambda12.minus(Angle::radians(hybrid.shift));
+        let (mut sigma, mut alpha2) = (hybrid.sigma, hybrid.alpha2);
+        if sigma < T::of(0.5) && omega.cos > T::ZERO {
+            // Between neighbours the triangle keeps the digits that the difference of the arcs has lost.
+            let (alphas, side) = self.triangle(omega);
+            [alpha1, alpha2] = alphas.map(|alpha| Angle::of(alpha.sin, alpha.cos));
+            sigma = side.to_radians();
+        }
         let lengths = karney.lengths(
             hybrid.epsilon,
-            hybrid.sigma,
+            sigma,
             self.node1(hybrid.sigma1),
             self.node2(hybrid.sigma2),
         );
         let b = karney.ellipsoid.b();
         Arc {
-            sigma: hybrid.sigma,
+            sigma,
             distance: lengths.distance * b,
             reduced: lengths.reduced * b,
             scales: lengths.scales,
             alpha1,
-            alpha2: hybrid.alpha2,
-            omega: Some(self.lambda12.minus(Angle::radians(hybrid.shift))),
+            alpha2,
+            omega: Some(omega),
+            evaluations: step + 1,
         }
     }
 

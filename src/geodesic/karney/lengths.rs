@@ -30,7 +30,15 @@ impl<T: Real> Karney<T> {
     /// Lengths for ε and the arc σ₁₂ from the first to the second point.
     pub(super) fn lengths(&self, epsilon: T, arc: T, one: Node<T>, two: Node<T>) -> Lengths<T> {
         let series = &self.series;
-        let difference = |row: Row<T>| series.sines(&row, two.sigma) - series.sines(&row, one.sigma);
+        let short = arc < T::of(0.5);
+        let (step, sum) = (Angle::radians(arc), one.sigma.plus(two.sigma));
+        let difference = |row: Row<T>| {
+            if short {
+                series.rise(&row, sum, step)
+            } else {
+                series.sines(&row, two.sigma) - series.sines(&row, one.sigma)
+            }
+        };
         let (a1, a2) = (series.a1_less_1(epsilon), series.a2_less_1(epsilon));
         let secular = a1 - a2;
         let (a1, a2) = (T::ONE + a1, T::ONE + a2);

@@ -79,7 +79,7 @@ impl<T: Real> Line<T> {
             return Err(GeodesicError::Azimuth(azimuth));
         }
         let alpha1 = Angle::degrees(rounded(azimuth.remainder(T::of(360.0))));
-        let beta1 = karney.reduced(rounded(from.lat()));
+        let (beta1, _) = karney.reduced(rounded(from.lat()));
         let alpha0 = Angle {
             sin: alpha1.sin * beta1.cos,
             cos: hypot(alpha1.cos, alpha1.sin * beta1.sin),

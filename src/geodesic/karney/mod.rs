@@ -11,7 +11,7 @@ mod lengths;
 mod line;
 mod series;
 
-use angle::Angle;
+use angle::{Angle, hypot};
 use inverse::{Canonical, tiny};
 use series::Series;
 
@@ -59,6 +59,8 @@ pub struct Solution<T> {
     pub scale12: T,
     /// The geodesic scale M₂₁.
     pub scale21: T,
+    /// How often the longitude was evaluated; 0 where there is a closed form: along meridian and equator, and between neighbours.
+    pub evaluations: usize,
 }
 
 impl<T: Real> Karney<T> {
@@ -99,6 +101,7 @@ impl<T: Real> Karney<T> {
             reduced_length: arc.reduced + T::ZERO,
             scale12,
             scale21,
+            evaluations: arc.evaluations,
         }
     }
 
@@ -110,14 +113,16 @@ impl<T: Real> Karney<T> {
         Line::new(self, from, azimuth)
     }
 
-    /// The parametric latitude of a geodetic one in degrees, its cosine never 0.
-    fn reduced(&self, lat: T) -> Angle<T> {
+    /// The parametric latitude of a geodetic one in degrees, its cosine never 0, and √(cos²φ + (1 − f)² sin²φ).
+    fn reduced(&self, lat: T) -> (Angle<T>, T) {
         let phi = Angle::degrees(lat);
-        let beta = Angle::of(phi.sin * self.axes, phi.cos);
-        Angle {
-            sin: beta.sin,
-            cos: max(beta.cos, tiny()),
-        }
+        let sin = phi.sin * self.axes;
+        let radius = hypot(sin, phi.cos);
+        let beta = Angle {
+            sin: sin / radius,
+            cos: max(phi.cos / radius, tiny()),
+        };
+        (beta, radius)
     }
 
     /// √(1 + e'² sin²β).

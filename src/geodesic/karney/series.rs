@@ -87,6 +87,17 @@ impl<T: Real> Series<T> {
         sin2 * b
     }
 
+    /// Σ cₗ (sin 2lσ₂ − sin 2lσ₁) = Σ 2cₗ cos l(σ₁ + σ₂) sin l(σ₂ − σ₁): between neighbours nothing cancels.
+    pub fn rise(&self, row: &Row<T>, sum: Angle<T>, step: Angle<T>) -> T {
+        let (mut s, mut d) = (sum, step);
+        let mut total = T::ZERO;
+        for &c in row.iter().take(self.order) {
+            total += c * (s.cos * d.sin);
+            (s, d) = (s.plus(sum), d.plus(step));
+        }
+        total + total
+    }
+
     /// A polynomial in ε² without its first term, 1.
     fn in_square<const N: usize, const M: usize>(&self, epsilon: T, coefficients: &Polynomial<N, M>) -> T {
         let square = epsilon * epsilon;
