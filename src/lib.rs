@@ -1,9 +1,12 @@
-//! A little Earth: from latitude and longitude on an ellipsoid to a sphere, and on to the faces of a cube and back.
+//! A little Earth: from latitude and longitude on an ellipsoid to a sphere, and on to the faces of a cube and back; distances and
+//! destinations by every usual method; Earth-centred and local frames.
 //!
 //! ```text
 //! LatLon ──shift──▶ Direction ──project──▶ FacePoint
 //! (degrees on       (unit vector,          (face, x, y)
 //!  the ellipsoid)    Earth axes)
+//!
+//! LatLon, LatLon ──geodesic──▶ distance, azimuths     Geodetic ──▶ Ecef ──▶ Enu, Ned, Aer
 //! ```
 //!
 //! `no_std`, without allocation, generic over `f32` and `f64`, from `+ − × ÷ √` alone: the same input gives the same bits on every machine. What
@@ -16,6 +19,7 @@
 //! | [`LocalFrame`] | east, north, up about an origin; [`Enu`], [`Ned`], [`Aer`] |
 //! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from ellipsoid to sphere |
 //! | [`cube`] | faces, points on them, sixteen projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
+//! | [`geodesic`] | distances, azimuths, destinations and areas: eight methods behind one trait |
 //! | [`math`] | the kernels under all of it |
 //! | [`Real`] | the scalar |
 //!

@@ -20,7 +20,11 @@ pub use line::{Line, LinePoint};
 
 /// Karney's geodesics: both problems for any two places, with the lengths that error analysis needs.
 ///
-/// Always converges. Series in the third flattening to order 6 on the Earth's ellipsoids and up to 12 beyond them; shorter ones in `f32`. Newton's
+/// Always converges. On the Earth the distance is within 7 nm, azimuths times the shorter of distance and reduced length within
+/// 1.5 nm, and the direct problem's position within 10 nm for a line once around; in `f32` within 3 m and 1.5e-7 of the distance, and between neighbours within
+/// 1e-6 of the distance. For f = 1/10 and −1/150 within 12 nm.
+///
+/// Series in the third flattening to order 6 on the Earth's ellipsoids and up to 12 beyond them; shorter ones in `f32`. Newton's
 /// method with a bracket, at most 83 steps (`f64`), in practice 2 to 5.
 ///
 /// C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013).
