@@ -1,4 +1,5 @@
 use crate::Real;
+use crate::geodesic::degrees::hypot;
 use crate::math::{atan2, atan2_degrees, sin_cos, sin_cos_degrees};
 
 /// An angle by its sine and cosine.
@@ -58,9 +59,4 @@ impl<T: Real> Angle<T> {
             cos: self.cos,
         }
     }
-}
-
-/// The length of (x, y), for magnitudes whose squares stay in range.
-pub(super) fn hypot<T: Real>(x: T, y: T) -> T {
-    (x * x + y * y).sqrt()
 }

@@ -1,5 +1,5 @@
-use super::angle::hypot;
 use crate::Real;
+use crate::geodesic::degrees::hypot;
 use crate::math::{atan2, cbrt, sin_cos};
 
 /// The positive root k of k⁴ + 2k³ − (x² + y² − 1)k² − 2y²k − y² = 0 (Karney 55), by Ferrari's method.

@@ -1,11 +1,11 @@
 use core::f64::consts::PI;
 
 use super::Karney;
-use super::angle::{Angle, hypot};
+use super::angle::Angle;
 use super::inverse::{rounded, tiny};
 use super::series::{Row, Series};
 use crate::geodesic::GeodesicError;
-use crate::geodesic::degrees::wrapped;
+use crate::geodesic::degrees::{hypot, wrapped};
 use crate::math::select;
 use crate::{LatLon, Real};
 

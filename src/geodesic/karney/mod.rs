@@ -1,3 +1,4 @@
+use super::degrees::hypot;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::max;
@@ -9,14 +10,17 @@ mod astroid;
 mod inverse;
 mod lengths;
 mod line;
+mod newton;
+mod polygon;
 mod series;
 
-use angle::{Angle, hypot};
+use angle::Angle;
 use inverse::{Canonical, tiny};
 use series::Series;
 
-pub use area::{Area, PolygonArea};
+pub use area::Area;
 pub use line::{Line, LinePoint};
+pub use polygon::PolygonArea;
 
 /// Karney's geodesics: both problems for any two places, with the lengths that error analysis needs.
 ///
