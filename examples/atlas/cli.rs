@@ -3,12 +3,12 @@
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
-use clap::error::ErrorKind;
 use clap::{Parser, value_parser};
 use terrella::cube::Projection;
 use terrella::{Ellipsoid, NAMED, Shift};
 
 use crate::ellipsoid;
+use crate::outcome::{Asked, ask};
 
 /// What the command line asks for.
 pub enum Request {
@@ -94,14 +94,9 @@ fn choice<T: Display>(text: &str, names: &[T]) -> String {
 
 /// Reads the command line.
 pub fn parse() -> Result<Request, String> {
-    let arguments = match Arguments::try_parse() {
-        Ok(arguments) => arguments,
-        Err(error) if error.kind() == ErrorKind::DisplayHelp => return Ok(Request::Print(error.to_string())),
-        Err(error) => {
-            let text = error.to_string();
-            let line = text.lines().next().unwrap_or_default();
-            return Err(line.strip_prefix("error: ").unwrap_or(line).to_owned());
-        }
+    let arguments: Arguments = match ask()? {
+        Asked::Run(arguments) => arguments,
+        Asked::Help(text) => return Ok(Request::Print(text)),
     };
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let data = root.join("examples").join("data");

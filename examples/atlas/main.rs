@@ -14,12 +14,14 @@ mod geography;
 mod globe;
 mod imagery;
 mod measure;
+#[path = "../options/outcome.rs"]
+mod outcome;
 mod page;
 mod pen;
 mod trace;
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::io::{BufWriter, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -43,18 +45,7 @@ fn main() -> ExitCode {
         Ok(cli::Request::Print(text)) => Ok(text),
         Err(message) => Err(message),
     };
-    // A closed pipe at the other end is no reason to panic, so the results of writing are let go.
-    match done {
-        Ok(text) => {
-            let _ = writeln!(io::stdout(), "{}", text.trim_end());
-            ExitCode::SUCCESS
-        }
-        Err(message) => {
-            let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
-            let _ = writeln!(io::stderr(), "error: {line}");
-            ExitCode::FAILURE
-        }
-    }
+    outcome::report(done)
 }
 
 /// Makes the atlas and says where it is.

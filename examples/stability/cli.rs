@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::error::ErrorKind;
 use clap::{Parser, value_parser};
+
+use crate::outcome::{Asked, ask};
 
 /// What the command line asks for.
 pub enum Request {
@@ -59,14 +60,9 @@ const OUT: &str = "Folder to write to, made if there is none [default: target/st
 
 /// Reads the command line.
 pub fn parse() -> Result<Request, String> {
-    let arguments = match Arguments::try_parse() {
-        Ok(arguments) => arguments,
-        Err(error) if error.kind() == ErrorKind::DisplayHelp => return Ok(Request::Print(error.to_string())),
-        Err(error) => {
-            let text = error.to_string();
-            let line = text.lines().next().unwrap_or_default();
-            return Err(line.strip_prefix("error: ").unwrap_or(line).to_owned());
-        }
+    let arguments: Arguments = match ask()? {
+        Asked::Run(arguments) => arguments,
+        Asked::Help(text) => return Ok(Request::Print(text)),
     };
     let target = Path::new(env!("CARGO_MANIFEST_DIR")).join("target");
     Ok(Request::Pictures(Options {

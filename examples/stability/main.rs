@@ -10,6 +10,8 @@ mod antipode;
 mod cli;
 mod comparison;
 mod distance;
+#[path = "../options/outcome.rs"]
+mod outcome;
 mod page;
 mod pair;
 mod raster;
@@ -37,18 +39,7 @@ fn main() -> ExitCode {
         Ok(cli::Request::Print(text)) => Ok(text),
         Err(message) => Err(message),
     };
-    // A closed pipe at the other end is no reason to panic, so the results of writing are let go.
-    match done {
-        Ok(text) => {
-            let _ = writeln!(io::stdout(), "{}", text.trim_end());
-            ExitCode::SUCCESS
-        }
-        Err(message) => {
-            let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
-            let _ = writeln!(io::stderr(), "error: {line}");
-            ExitCode::FAILURE
-        }
-    }
+    outcome::report(done)
 }
 
 /// Makes the pictures and the page; returns the comparison and where the page is.
