@@ -113,6 +113,33 @@ fn direct<T: Scalar>(name: &str) -> [f64; 2] {
     worst
 }
 
+/// The largest displacement in `f32` past 1.5e-7 of the distance, of lines up to ten times around, against `f64`: no truth row
+/// that long is exact in `f32`.
+fn circuits_in_single(name: &str) -> f64 {
+    let (single, double) = (
+        Karney::<f32>::new(ellipsoid(name)).unwrap(),
+        Karney::<f64>::new(ellipsoid(name)).unwrap(),
+    );
+    let mut rng = fastrand::Rng::with_seed(10);
+    let mut worst = 0.0_f64;
+    for _ in 0..20_000 {
+        let [lat, lon, azimuth, distance] = [80.0, 180.0, 180.0, 4e8].map(|range: f32| range * (2.0 * rng.f32() - 1.0));
+        let found = single
+            .direct(LatLon::new(lat, lon).unwrap(), azimuth, distance)
+            .unwrap()
+            .position;
+        let [lat, lon, azimuth, distance] = [lat, lon, azimuth, distance].map(f64::from);
+        let expected = double
+            .direct(LatLon::new(lat, lon).unwrap(), azimuth, distance)
+            .unwrap()
+            .position;
+        let found = LatLon::new(f64::from(found.lat()), f64::from(found.lon())).unwrap();
+        let error = double.solve(expected, found).inverse.distance;
+        worst = worst.max(beyond_rounding::<f32>(error, distance));
+    }
+    worst
+}
+
 #[test]
 fn karney_is_as_accurate_as_claimed() {
     let both = |name| {
@@ -133,7 +160,7 @@ fn karney_is_as_accurate_as_claimed() {
     hold("Karney direct, position", [direct_earth[0], direct_earth32[0]]);
     hold(
         "Karney direct, position after several circuits",
-        [direct_earth[1], direct_earth32[1]],
+        [direct_earth[1], circuits_in_single("wgs84")],
     );
     hold("Karney area under a line", [earth.area, earth32.area]);
     hold(
@@ -152,6 +179,10 @@ fn karney_is_as_accurate_as_claimed() {
         hold(
             "Karney for f = 1/10 and −1/150",
             [inverse.distance.max(direct[0]), inverse32.distance.max(direct32[0])],
+        );
+        hold(
+            "Karney for f = 1/10 and −1/150, several circuits",
+            [direct[1], circuits_in_single(name)],
         );
     }
 }
