@@ -125,9 +125,11 @@ struct Sheet {
 
 impl Sheet {
     fn new(panels: usize) -> Self {
-        let rows = panels / COLUMNS + 1;
+        // The legend takes the next place, and a row of its own needs less height.
+        let row = PANEL + 54.0;
+        let last = if panels % COLUMNS == 0 { 200.0 } else { row };
         Self {
-            svg: Svg::new(1400.0, 40.0 + rows as f64 * (PANEL + 54.0)),
+            svg: Svg::new(1400.0, 40.0 + (panels / COLUMNS) as f64 * row + last),
             drawn: 0,
             panels,
         }
