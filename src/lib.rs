@@ -20,8 +20,9 @@
 //! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from ellipsoid to sphere |
 //! | [`cube`] | faces, points on them, sixteen projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
 //! | [`geodesic`] | distances, azimuths, destinations and areas: eight methods behind one trait |
+//! | [`distortion`] | what a projection does to shapes, areas and texels; surveys of whole faces |
 //! | [`math`] | the kernels under all of it |
-//! | [`Real`] | the scalar |
+//! | [`Real`], [`Dual`] | the scalar, and the scalar that carries derivatives |
 //!
 //! ```
 //! use terrella::cube::{CubeMap, Face, Projection};
@@ -41,6 +42,8 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod cube;
+pub mod distortion;
+mod dual;
 mod ellipsoid;
 pub mod frame;
 pub mod geodesic;
@@ -50,6 +53,7 @@ pub mod math;
 mod position;
 mod real;
 
+pub use dual::Dual;
 pub use ellipsoid::{Ellipsoid, InvalidEllipsoid, NAMED};
 pub use frame::{Aer, Enu, LocalFrame, Ned};
 pub use latitude::{Latitude, Shift, Shifted};

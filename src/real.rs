@@ -5,13 +5,13 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::math::Polynomial;
 
-mod sealed {
+pub(crate) mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
 }
 
-/// A scalar: `f32` or `f64`. Sealed.
+/// A scalar: `f32`, `f64`, or a [`Dual`](crate::Dual) number over one of them. Sealed.
 ///
 /// Only what depends on the precision lives here: constants, the length of a polynomial, how a word is split. All else is
 /// written once, generically, from `+ − × ÷ √`; the `f32` instantiation does no `f64` arithmetic.
@@ -54,6 +54,10 @@ pub trait Real:
     #[must_use]
     fn of(literal: f64) -> Self;
 
+    /// The scalar nearest to a whole number.
+    #[must_use]
+    fn whole(number: u64) -> Self;
+
     /// One of two constants, by precision.
     #[must_use]
     fn pick(for_f64: f64, for_f32: f32) -> Self;
@@ -70,9 +74,14 @@ pub trait Real:
     #[must_use]
     fn all<const N: usize>(coefficients: &Polynomial<N, N>) -> [Self; N];
 
-    /// How many terms or steps this precision needs.
+    /// How many terms of a sum this precision needs.
     #[must_use]
     fn terms(for_f64: usize, for_f32: usize) -> usize;
+
+    /// How many steps of an iteration that at least doubles its digits this precision needs; one more for a derivative, which follows
+    /// the value a step behind.
+    #[must_use]
+    fn steps(for_f64: usize, for_f32: usize) -> usize;
 
     /// The correctly rounded square root.
     #[must_use]
@@ -120,10 +129,14 @@ pub trait Real:
     /// eˣ − 1, within 1 ulp.
     #[must_use]
     fn exp_m1(self) -> Self;
+
+    /// The logarithm to base 2, within 1 ulp.
+    #[must_use]
+    fn log2(self) -> Self;
 }
 
 macro_rules! real {
-    ($float:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path, $log1p:path, $expm1:path) => {
+    ($float:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path, $log1p:path, $expm1:path, $log2:path) => {
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -132,6 +145,11 @@ macro_rules! real {
             #[inline(always)]
             fn of(literal: f64) -> Self {
                 literal as $float
+            }
+
+            #[inline(always)]
+            fn whole(number: u64) -> Self {
+                number as $float
             }
 
             #[inline(always)]
@@ -160,6 +178,11 @@ macro_rules! real {
 
             #[inline(always)]
             fn terms(_for_f64: usize, _for_f32: usize) -> usize {
+                real!(@pick $float, _for_f64, _for_f32)
+            }
+
+            #[inline(always)]
+            fn steps(_for_f64: usize, _for_f32: usize) -> usize {
                 real!(@pick $float, _for_f64, _for_f32)
             }
 
@@ -210,6 +233,11 @@ macro_rules! real {
             fn exp_m1(self) -> Self {
                 $expm1(self)
             }
+
+            #[inline]
+            fn log2(self) -> Self {
+                $log2(self)
+            }
         }
     };
     (@pick f64, $a:expr, $b:expr) => { $a };
@@ -225,7 +253,8 @@ real!(
     libm::sqrt,
     libm::fmod,
     libm::log1p,
-    libm::expm1
+    libm::expm1,
+    libm::log2
 );
 real!(
     f32,
@@ -235,5 +264,6 @@ real!(
     libm::sqrtf,
     libm::fmodf,
     libm::log1pf,
-    libm::expm1f
+    libm::expm1f,
+    libm::log2f
 );

@@ -4,8 +4,8 @@ mod ecef;
 
 use core::fmt;
 
-use crate::Real;
 use crate::math::{atan, cbrt};
+use crate::{Direction, Dual, Real};
 
 /// An ellipsoid of revolution: semi-major (equatorial) axis a in metres and flattening f = (a − b)/a.
 ///
@@ -161,6 +161,23 @@ impl<T: Real> Ellipsoid<T> {
     #[must_use]
     pub fn authalic_radius(self) -> T {
         self.authalic_radius_squared().sqrt()
+    }
+
+    /// The same ellipsoid for a scalar with derivatives.
+    pub(crate) const fn lifted<const N: usize>(self) -> Ellipsoid<Dual<T, N>> {
+        Ellipsoid {
+            a: Dual::constant(self.a),
+            f: Dual::constant(self.f),
+        }
+    }
+
+    /// The point of the ellipsoid, in metres from the centre, where this is the outward normal.
+    #[inline(always)]
+    pub(crate) fn foot(self, normal: Direction<T>) -> [T; 3] {
+        let [x, y, z] = normal.to_array();
+        let e2 = self.e2();
+        let radius = self.a / (T::ONE - e2 * (z * z)).sqrt();
+        [radius * x, radius * y, radius * (T::ONE - e2) * z]
     }
 
     pub(crate) fn authalic_radius_squared(self) -> T {

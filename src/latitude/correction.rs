@@ -1,6 +1,6 @@
 use super::{Shift, UnsupportedFlattening};
 use crate::math::{atan2, latitude as series, sin_cos_small};
-use crate::{Ellipsoid, Real};
+use crate::{Dual, Ellipsoid, Real};
 
 /// The small angle between two latitudes, as a function of the first.
 ///
@@ -46,6 +46,18 @@ impl<T: Real> Correction<T> {
             Shift::Authalic => series(ellipsoid, &series::AUTHALIC_INVERSE),
             Shift::Conformal => series(ellipsoid, &series::CONFORMAL_INVERSE),
             Shift::Rectifying => series(ellipsoid, &series::RECTIFYING_INVERSE),
+        }
+    }
+
+    /// The same function for a scalar with derivatives.
+    pub fn lifted<const N: usize>(&self) -> Correction<Dual<T, N>> {
+        match *self {
+            Self::None => Correction::None,
+            Self::Tangent(m) => Correction::Tangent(Dual::constant(m)),
+            Self::Series { coefficients, short } => Correction::Series {
+                coefficients: coefficients.map(Dual::constant),
+                short,
+            },
         }
     }
 

@@ -1,8 +1,7 @@
 use super::correction::Correction;
 use super::{Shift, UnsupportedFlattening};
-use crate::math::atan2_degrees;
-use crate::math::sin_cos_degrees;
-use crate::{Direction, Ellipsoid, LatLon, Real};
+use crate::math::{atan2_degrees, max, sin_cos_degrees};
+use crate::{Direction, Dual, Ellipsoid, LatLon, Real};
 
 /// An ellipsoid laid on the sphere: geodetic latitude and longitude to direction and back.
 ///
@@ -60,5 +59,28 @@ impl<T: Real> Shifted<T> {
     pub fn to_lat_lon(&self, direction: Direction<T>) -> LatLon<T> {
         let (sin, cos) = self.inverse.turn((direction.z(), direction.cos_lat()));
         LatLon::within(atan2_degrees(sin, cos), direction.lon())
+    }
+
+    /// The ellipsoid's outward normal where a direction leads, without an angle on the way.
+    #[must_use]
+    #[inline(always)]
+    pub(crate) fn normal(&self, direction: Direction<T>) -> Direction<T> {
+        let [x, y, z] = direction.to_array();
+        // cos φ over the distance from the axis is smooth across the pole if that distance is not quite 0.
+        let axial = max(T::pick(1e-300, 1e-36), x * x + y * y).sqrt();
+        let (sin, cos) = self.inverse.turn((z, axial));
+        let scale = cos / axial;
+        Direction::within(x * scale, y * scale, sin)
+    }
+
+    /// The same step for a scalar with derivatives.
+    #[must_use]
+    pub(crate) fn lifted<const N: usize>(&self) -> Shifted<Dual<T, N>> {
+        Shifted {
+            ellipsoid: self.ellipsoid.lifted(),
+            shift: self.shift,
+            forward: self.forward.lifted(),
+            inverse: self.inverse.lifted(),
+        }
     }
 }

@@ -13,7 +13,7 @@ use crate::Real;
 pub fn cbrt<T: Real>(x: T) -> T {
     let magnitude = x.abs();
     let mut root = magnitude.cbrt_guess();
-    for _ in 0..T::terms(3, 2) {
+    for _ in 0..T::steps(3, 2) {
         let cube = root * root * root;
         root += root * ((magnitude - cube) / (cube + cube + magnitude));
     }

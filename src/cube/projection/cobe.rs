@@ -88,7 +88,7 @@ impl CubeProjection for QuadCube {
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
         let (mut u, mut v) = (x, y);
-        for _ in 0..T::terms(6, 5) {
+        for _ in 0..T::steps(6, 5) {
             let [f, f_u, f_v] = self.value_and_slopes(u, v);
             let [g, g_v, g_u] = self.value_and_slopes(v, u);
             let determinant = f_u * g_v - f_v * g_u;

@@ -21,13 +21,14 @@ impl CubeProjection for Outerra {
         let m = T::of(M);
         // (x, y) = k(u, v) with k = 1 + M(1 − k²u²)(1 − k²v²), a root in [1, 1 + M] (Algorithm 1, scaled by Z).
         let mut k = T::ONE + m * ((T::ONE - uu) * (T::ONE - vv));
-        for _ in 0..T::terms(4, 3) {
+        for _ in 0..T::steps(4, 3) {
             let p = T::ONE - k * k * uu;
             let q = T::ONE - k * k * vv;
             let slope = T::ONE + T::of(2.0) * m * k * (uu * q + vv * p);
             k -= (k - T::ONE - m * (p * q)) / slope;
         }
-        let k = max(min(k, T::ONE + m), T::ONE);
+        // Where k is at a bound it is k itself that is kept, and with it a derivative.
+        let k = max(T::ONE, min(T::ONE + m, k));
         [k * u, k * v]
     }
 

@@ -33,7 +33,7 @@ impl CubeProjection for Square {
         let bulge = |w: T, p: T, q: T| w * (T::ONE + T::of(0.15) * p * q);
         let (pu, pv) = (T::ONE - u * u, T::ONE - v * v);
         let (mut x, mut y) = (bulge(u, pu, pv), bulge(v, pv, pu));
-        for _ in 0..T::terms(4, 3) {
+        for _ in 0..T::steps(4, 3) {
             let (xx, yy) = (x * x, y * y);
             let (p, q) = (T::ONE - xx, T::ONE - yy);
             let [a, b, z] = factors([xx, yy], [p, q]);

@@ -1,0 +1,121 @@
+use crate::Real;
+use crate::math::{atan2_degrees, min, select};
+
+/// The derivative of the ground by the coordinates of a face: where a step of x and a step of y lead, toward east and toward north, in
+/// metres per unit.
+///
+/// From [`Ground::jacobian`](super::Ground::jacobian) or [`Ground::differences`](super::Ground::differences).
+///
+/// ```
+/// use terrella::distortion::Jacobian;
+/// // A step of x leads 3 m to the east, one of y 2 m to the north and 1 m to the east.
+/// let texel = Jacobian { by_x: [3.0_f64, 0.0], by_y: [1.0, 2.0] };
+/// assert_eq!(texel.area(), 6.0);
+/// assert_eq!(texel.sides(), 3.0 * 5.0_f64.sqrt());
+/// assert!((texel.grid_angle() - 63.434_948_822_922_01).abs() < 1e-13);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Jacobian<T> {
+    /// A step of x: metres to the east and to the north, per unit.
+    pub by_x: [T; 2],
+    /// A step of y: metres to the east and to the north, per unit.
+    pub by_y: [T; 2],
+}
+
+impl<T: Real> Jacobian<T> {
+    /// From derivatives in Earth axes, where this is the outward normal; at a pole north is away from longitude 0.
+    #[inline(always)]
+    pub(super) fn in_tangent_plane([x, y, z]: [T; 3], slopes: [[T; 3]; 2]) -> Self {
+        let axial = (x * x + y * y).sqrt();
+        let polar = axial == T::ZERO;
+        let axial = select(polar, T::ONE, axial);
+        let (cos, sin) = (select(polar, T::ONE, x / axial), select(polar, T::ZERO, y / axial));
+        let [by_x, by_y] = slopes.map(|[a, b, c]| {
+            let outward = a * cos + b * sin;
+            [b * cos - a * sin, c * axial - outward * z]
+        });
+        Self { by_x, by_y }
+    }
+
+    /// Λx: the length on the ground of a step of x, in metres per unit.
+    #[must_use]
+    #[inline(always)]
+    pub fn width(&self) -> T {
+        length(self.by_x)
+    }
+
+    /// Λy: the length on the ground of a step of y, in metres per unit.
+    #[must_use]
+    #[inline(always)]
+    pub fn height(&self) -> T {
+        length(self.by_y)
+    }
+
+    /// δ_aspect = Λx/Λy.
+    #[must_use]
+    #[inline(always)]
+    pub fn aspect(&self) -> T {
+        self.width() / self.height()
+    }
+
+    /// Λx·Λy in square metres per unit of x and of y. Over [`Ground::central_texel`](super::Ground::central_texel) it is the paper's δ_area, which leaves out that the grid's lines
+    /// may be askew; [`area`](Self::area) does not.
+    #[must_use]
+    #[inline(always)]
+    pub fn sides(&self) -> T {
+        self.width() * self.height()
+    }
+
+    /// The area on the ground, in square metres per unit of x and of y.
+    #[must_use]
+    #[inline(always)]
+    pub fn area(&self) -> T {
+        let [a, b] = self.by_x;
+        let [c, d] = self.by_y;
+        a * d - b * c
+    }
+
+    /// The angle on the ground between the directions of x and of y, in degrees, in [0, 180].
+    #[must_use]
+    #[inline]
+    pub fn grid_angle(&self) -> T {
+        let [a, b] = self.by_x;
+        let [c, d] = self.by_y;
+        atan2_degrees(self.area().abs(), a * c + b * d)
+    }
+
+    /// Tissot's ω: the largest change of an angle between two directions, in degrees, in [0, 180].
+    ///
+    /// sin(ω/2) = (a − b)/(a + b), without the difference: a conformal map has 0 but for rounding.
+    #[must_use]
+    #[inline]
+    pub fn deformation(&self) -> T {
+        // In halves of the sum of the squares of the axes, on the plane of by_x and by_y.
+        let [a, b] = self.by_x;
+        let [c, d] = self.by_y;
+        let two = T::of(2.0);
+        let (slant, stretch) = (two * (a * c + b * d), (a * a + b * b) - (c * c + d * d));
+        let sum = (a * a + b * b) + (c * c + d * d) + two * self.area().abs();
+        let sine = min((slant * slant + stretch * stretch).sqrt() / sum, T::ONE);
+        two * atan2_degrees(sine, ((T::ONE - sine) * (T::ONE + sine)).sqrt())
+    }
+
+    /// The smallest and the largest length on the ground, in metres per unit, of a step in any direction of the face.
+    #[must_use]
+    #[inline]
+    pub fn extremes(&self) -> [T; 2] {
+        let [a, b] = self.by_x;
+        let [c, d] = self.by_y;
+        // Half the sum and half the difference of the singular values.
+        let half = T::of(0.5);
+        let sum = half * length([a + d, b - c]);
+        let difference = half * length([a - d, b + c]);
+        [(sum - difference).abs(), sum + difference]
+    }
+}
+
+#[inline(always)]
+fn length<T: Real>([a, b]: [T; 2]) -> T {
+    (a * a + b * b).sqrt()
+}

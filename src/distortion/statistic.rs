@@ -1,0 +1,149 @@
+use crate::Real;
+use crate::cube::FacePoint;
+use crate::math::select;
+
+/// Smallest and largest value with their places, mean, and deviation from what would be ideal.
+///
+/// ```
+/// use terrella::cube::{Face, FacePoint};
+/// use terrella::distortion::Statistic;
+///
+/// let mut aspect = Statistic::about(1.0_f64);
+/// aspect.include(FacePoint::new(Face::Front, 0.0, 0.0)?, 1.0);
+/// aspect.include(FacePoint::new(Face::Front, 1.0, 0.0)?, 1.2);
+/// assert_eq!((aspect.min(), aspect.max(), aspect.mean()), (1.0, 1.2, 1.1));
+/// assert_eq!(aspect.max_at().map(|point| point.x()), Some(1.0));
+/// assert!((aspect.rmsd() - 0.2 * 0.5_f64.sqrt()).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Statistic<T> {
+    ideal: T,
+    smallest: Option<Extreme<T>>,
+    largest: Option<Extreme<T>>,
+    count: u64,
+    deviations: Sum<T>,
+    squares: Sum<T>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct Extreme<T> {
+    value: T,
+    at: FacePoint<T>,
+}
+
+impl<T: Real> Statistic<T> {
+    /// Of nothing yet; of values that would all be `ideal`.
+    #[must_use]
+    pub fn about(ideal: T) -> Self {
+        Self {
+            ideal,
+            smallest: None,
+            largest: None,
+            count: 0,
+            deviations: Sum::default(),
+            squares: Sum::default(),
+        }
+    }
+
+    /// Includes a value and its place. NaN is no extreme, and makes the mean NaN.
+    #[inline(always)]
+    pub fn include(&mut self, at: FacePoint<T>, value: T) {
+        self.extend(Extreme { value, at });
+        self.count += 1;
+        let deviation = value - self.ideal;
+        self.deviations.add(deviation);
+        self.squares.add(deviation * deviation);
+    }
+
+    /// Includes what another statistic of the same kind has seen.
+    pub fn merge(&mut self, other: &Self) {
+        for extreme in other.smallest.into_iter().chain(other.largest) {
+            self.extend(extreme);
+        }
+        self.count += other.count;
+        self.deviations.add(other.deviations.total());
+        self.squares.add(other.squares.total());
+    }
+
+    #[inline(always)]
+    fn extend(&mut self, new: Extreme<T>) {
+        let infinity = T::of(f64::INFINITY);
+        let below = new.value < self.smallest.map_or(infinity, |old| old.value);
+        self.smallest = select(below, Some(new), self.smallest);
+        let above = new.value > self.largest.map_or(-infinity, |old| old.value);
+        self.largest = select(above, Some(new), self.largest);
+    }
+
+    /// The smallest value; NaN of none.
+    #[must_use]
+    pub fn min(&self) -> T {
+        self.smallest.map_or(T::of(f64::NAN), |extreme| extreme.value)
+    }
+
+    /// The largest value; NaN of none.
+    #[must_use]
+    pub fn max(&self) -> T {
+        self.largest.map_or(T::of(f64::NAN), |extreme| extreme.value)
+    }
+
+    /// Where the smallest value was first seen.
+    #[must_use]
+    pub fn min_at(&self) -> Option<FacePoint<T>> {
+        self.smallest.map(|extreme| extreme.at)
+    }
+
+    /// Where the largest value was first seen.
+    #[must_use]
+    pub fn max_at(&self) -> Option<FacePoint<T>> {
+        self.largest.map(|extreme| extreme.at)
+    }
+
+    /// The largest over the smallest value.
+    #[must_use]
+    pub fn ratio(&self) -> T {
+        self.max() / self.min()
+    }
+
+    /// How many values.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// The arithmetic mean; NaN of none.
+    #[must_use]
+    pub fn mean(&self) -> T {
+        self.ideal + self.deviations.total() / T::whole(self.count)
+    }
+
+    /// The root of the mean square of the deviations from the ideal; NaN of none.
+    #[must_use]
+    pub fn rmsd(&self) -> T {
+        (self.squares.total() / T::whole(self.count)).sqrt()
+    }
+}
+
+/// A sum that keeps what its rounding loses (Neumaier), so that millions of `f32` add up.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct Sum<T> {
+    rounded: T,
+    lost: T,
+}
+
+impl<T: Real> Sum<T> {
+    #[inline(always)]
+    fn add(&mut self, value: T) {
+        let sum = self.rounded + value;
+        let part = sum - self.rounded;
+        self.lost += (self.rounded - (sum - part)) + (value - part);
+        self.rounded = sum;
+    }
+
+    fn total(self) -> T {
+        self.rounded + self.lost
+    }
+}

@@ -1,0 +1,86 @@
+use super::{Ground, Jacobian, Singular};
+use crate::Real;
+use crate::cube::{CubeProjection, FacePoint};
+use crate::math::{atan2_degrees, select};
+
+/// Tissot's indicatrix: what becomes of a small circle on the ground.
+///
+/// Scale is the length on the face over the length on the ground, the face being drawn so large that six of them have the area of the
+/// planet: an equal-area projection has [`areal`](Self::areal) scale 1 everywhere.
+///
+/// Snyder, *Map projections: a working manual* (USGS 1395, 1987), §4.
+///
+/// ```
+/// use terrella::cube::{CubeMap, Face, FacePoint, Vertex};
+/// use terrella::distortion::Ground;
+/// use terrella::{Ellipsoid, Shift};
+///
+/// let ground = Ground::new(CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Vertex)?);
+/// let tissot = ground.tissot(FacePoint::new(Face::Top, 0.3, -0.6)?)?;
+/// assert!((tissot.areal - 1.0).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Tissot<T> {
+    /// h: the scale along the meridian.
+    pub meridian: T,
+    /// k: the scale along the parallel.
+    pub parallel: T,
+    /// θ′: the angle on the face between the meridian, northward, and the parallel, eastward, in degrees.
+    pub graticule_angle: T,
+    /// a: the largest scale.
+    pub major: T,
+    /// b: the smallest scale.
+    pub minor: T,
+    /// The azimuth on the ground in which the scale is largest, in degrees clockwise from north, in [0, 180); 0 where all are alike.
+    pub azimuth: T,
+    /// s = ab: the areal scale.
+    pub areal: T,
+    /// ω: the largest change of an angle, in degrees.
+    pub deformation: T,
+}
+
+impl<T: Real> Tissot<T> {
+    /// From the derivative of the ground, the face being drawn with `unit` metres to a unit of x and y.
+    #[must_use]
+    #[inline]
+    pub fn new(jacobian: &Jacobian<T>, unit: T) -> Self {
+        let [a, b] = jacobian.by_x;
+        let [c, d] = jacobian.by_y;
+        let area = jacobian.area();
+        let scale = unit / area;
+        let [shortest, longest] = jacobian.extremes();
+        // Of the ellipse on the ground that the face's unit circle is: its shorter axis is where the scale is largest.
+        let (p, q, r) = (a * a + c * c, a * b + c * d, b * b + d * d);
+        let twice = atan2_degrees(T::of(-2.0) * q, p - r);
+        let azimuth = T::of(0.5) * twice + T::ZERO;
+        Self {
+            meridian: (a * a + c * c).sqrt() * scale,
+            parallel: (b * b + d * d).sqrt() * scale,
+            graticule_angle: atan2_degrees(area, -q),
+            major: unit / shortest,
+            minor: unit / longest,
+            azimuth: select(azimuth < T::ZERO, azimuth + T::of(180.0), azimuth),
+            areal: scale * unit,
+            deformation: jacobian.deformation(),
+        }
+    }
+}
+
+impl<T: Real, P: CubeProjection> Ground<T, P> {
+    /// Tissot's indicatrix at a point of the cube.
+    ///
+    /// # Errors
+    /// [`Singular`] where the map has no derivative: see [`Ground::jacobian`].
+    #[inline]
+    pub fn tissot(&self, point: FacePoint<T>) -> Result<Tissot<T>, Singular<T>> {
+        Ok(Tissot::new(&self.jacobian(point)?, self.unit()))
+    }
+
+    /// The metres to a unit of x and y with which six faces have the area of the planet: √(π/6) authalic radii.
+    #[must_use]
+    pub fn unit(&self) -> T {
+        T::of(0.723_601_254_558_267_7) * self.ellipsoid().authalic_radius()
+    }
+}
