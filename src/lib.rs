@@ -41,6 +41,7 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
+pub mod batch;
 pub mod cube;
 pub mod distortion;
 mod dual;
