@@ -56,22 +56,21 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     /// ones, the corners of the vertex and conformal cubes.
     #[inline]
     pub fn jacobian(&self, point: FacePoint<T>) -> Result<Jacobian<T>, Singular<T>> {
-        let local = self
-            .map
-            .projection()
-            .inverse(point.face(), Dual::variables([point.x(), point.y()]));
-        let [x, y, z] = point.face().to_earth(local);
-        let normal = self.lifted.normal(Direction::within(x, y, z));
-        let place = self.lifted.ellipsoid().foot(normal);
-        let slope = |variable: usize| {
-            place.map(|component: Dual<T, 2>| component.slopes().get(variable).copied().unwrap_or(T::ZERO))
-        };
-        let jacobian = Jacobian::in_tangent_plane(normal.to_array().map(Dual::value), [slope(0), slope(1)]);
-        if jacobian.area() > T::ZERO && jacobian.area().is_finite() {
+        let jacobian = self.slopes(point.face(), [point.x(), point.y()]);
+        if jacobian.is_regular() {
             Ok(jacobian)
         } else {
             Err(Singular(point))
         }
+    }
+
+    /// The same, whatever it is.
+    #[inline(always)]
+    pub(super) fn slopes(&self, face: Face, point: [T; 2]) -> Jacobian<T> {
+        let [x, y, z] = face.to_earth(self.map.projection().inverse(face, Dual::variables(point)));
+        let normal = self.lifted.normal(Direction::within(x, y, z));
+        let place = self.lifted.ellipsoid().foot(normal);
+        Jacobian::in_tangent_plane(normal.to_array().map(Dual::value), slopes(place))
     }
 
     /// The quotients of central differences over twice the step, as Dimitrijević, Lambers & Rančić (2016) take them with 10⁻⁶.
@@ -110,6 +109,13 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     pub fn central_texel(&self) -> T {
         self.differences(Face::Front, [T::ZERO; 2], T::pick(1e-6, 1e-3)).sides()
     }
+}
+
+/// The derivatives of a vector's components by each variable.
+#[inline(always)]
+fn slopes<T: Real>(vector: [Dual<T, 2>; 3]) -> [[T; 3]; 2] {
+    let [[ax, ay], [bx, by], [cx, cy]] = vector.map(Dual::slopes);
+    [[ax, bx, cx], [ay, by, cy]]
 }
 
 /// A place where a map has no derivative, or one that cannot be inverted.

@@ -76,6 +76,13 @@ impl<T: Real> Jacobian<T> {
         a * d - b * c
     }
 
+    /// Whether it can be inverted.
+    #[inline(always)]
+    pub(super) fn is_regular(&self) -> bool {
+        let area = self.area();
+        (area > T::ZERO) & area.is_finite()
+    }
+
     /// The angle on the ground between the directions of x and of y, in degrees, in [0, 180].
     #[must_use]
     #[inline]
@@ -89,7 +96,7 @@ impl<T: Real> Jacobian<T> {
     ///
     /// sin(ω/2) = (a − b)/(a + b), without the difference: a conformal map has 0 but for rounding.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn deformation(&self) -> T {
         // In halves of the sum of the squares of the axes, on the plane of by_x and by_y.
         let [a, b] = self.by_x;

@@ -1,6 +1,12 @@
 use crate::Real;
 use crate::cube::FacePoint;
-use crate::math::select;
+use crate::math::{max, min, select};
+
+/// Values that are included at a time.
+pub(super) const BLOCK: usize = 32;
+
+/// Running results kept side by side, so that the loop vectorises with the same bits on every machine.
+const LANES: usize = 8;
 
 /// Smallest and largest value with their places, mean, and deviation from what would be ideal.
 ///
@@ -56,6 +62,40 @@ impl<T: Real> Statistic<T> {
         let deviation = value - self.ideal;
         self.deviations.add(deviation);
         self.squares.add(deviation * deviation);
+    }
+
+    /// Includes a block of values; `place` is where the one of an index was seen.
+    #[inline(always)]
+    pub(super) fn include_block(&mut self, values: &[T; BLOCK], place: impl Fn(usize) -> FacePoint<T>) {
+        let infinity = T::of(f64::INFINITY);
+        let [mut deviations, mut squares] = [[T::ZERO; LANES]; 2];
+        let (mut least, mut most) = ([infinity; LANES], [-infinity; LANES]);
+        for lane_values in values.chunks_exact(LANES) {
+            let lanes = deviations.iter_mut().zip(&mut squares).zip(&mut least).zip(&mut most);
+            for ((((deviations, squares), least), most), &value) in lanes.zip(lane_values) {
+                let deviation = value - self.ideal;
+                *deviations += deviation;
+                *squares += deviation * deviation;
+                *least = min(*least, value);
+                *most = max(*most, value);
+            }
+        }
+        let least = least.into_iter().fold(infinity, min);
+        let most = most.into_iter().fold(-infinity, max);
+        let known = |extreme: Option<Extreme<T>>, none: T| extreme.map_or(none, |extreme| extreme.value);
+        if least < known(self.smallest, infinity) || most > known(self.largest, -infinity) {
+            for (index, &value) in values.iter().enumerate() {
+                self.extend(Extreme {
+                    value,
+                    at: place(index),
+                });
+            }
+        }
+        self.count += BLOCK as u64;
+        self.deviations
+            .add(deviations.into_iter().fold(T::ZERO, |sum, lane| sum + lane));
+        self.squares
+            .add(squares.into_iter().fold(T::ZERO, |sum, lane| sum + lane));
     }
 
     /// Includes what another statistic of the same kind has seen.

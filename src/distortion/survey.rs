@@ -1,7 +1,9 @@
+use super::statistic::BLOCK;
 use super::{Ground, Jacobian, Statistic};
 use crate::Real;
+use crate::batch::{Pass, widest};
 use crate::cube::{CubeProjection, Face, FacePoint};
-use crate::math::{max, select};
+use crate::math::{max, min};
 
 /// What is worst and what is usual over any set of places: an accumulator of fixed size.
 ///
@@ -49,22 +51,33 @@ impl<T: Real> Survey<T> {
     /// Includes a place.
     #[inline]
     pub fn include(&mut self, point: FacePoint<T>, texel: &Jacobian<T>) {
-        self.aspect.include(point, texel.aspect());
-        self.sides.include(point, texel.sides() / self.reference);
-        self.area.include(point, texel.area() / self.reference);
-        self.deformation.include(point, texel.deformation());
+        let [aspect, sides, area, deformation] = self.measures(texel);
+        self.aspect.include(point, aspect);
+        self.sides.include(point, sides);
+        self.area.include(point, area);
+        self.deformation.include(point, deformation);
+    }
+
+    #[inline(always)]
+    fn measures(&self, texel: &Jacobian<T>) -> [T; 4] {
+        [
+            texel.aspect(),
+            texel.sides() / self.reference,
+            texel.area() / self.reference,
+            texel.deformation(),
+        ]
     }
 
     /// Includes n × n places of a face, at x and y of −1 + 2i/n for i from 0 to n − 1: each texel once, and by symmetry the edges.
     ///
     /// Those where the map has no derivative are left out and counted.
     pub fn face<P: CubeProjection>(&mut self, ground: &Ground<T, P>, face: Face, n: u32) {
-        for point in grid(face, n) {
-            match ground.jacobian(point) {
-                Ok(jacobian) => self.include(point, &jacobian),
-                Err(_) => self.skipped += 1,
-            }
-        }
+        widest(Rows {
+            survey: self,
+            ground,
+            face,
+            n,
+        });
     }
 
     /// Includes n × n places of each face: for any projection, whichever of its faces differ.
@@ -123,17 +136,58 @@ impl<T: Real> Survey<T> {
     }
 }
 
-/// The places of a face at which a survey looks.
-fn grid<T: Real>(face: Face, n: u32) -> impl Iterator<Item = FacePoint<T>> {
-    let step = T::of(2.0) / T::whole(u64::from(n));
-    let along = move || {
-        let mut index = T::ZERO;
-        (0..n).map(move |_| {
-            let place = index * step - T::ONE;
-            index += T::ONE;
-            // A rounding beyond the face would be another face's.
-            select(place > T::ONE, T::ONE, place)
-        })
-    };
-    along().flat_map(move |y| along().map(move |x| FacePoint::within(face, x, y)))
+/// The survey of a face, a block of a row at a time: first every place is measured, then all are counted.
+struct Rows<'a, T, P> {
+    survey: &'a mut Survey<T>,
+    ground: &'a Ground<T, P>,
+    face: Face,
+    n: u32,
+}
+
+impl<T: Real, P: CubeProjection> Pass for Rows<'_, T, P> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self {
+            survey,
+            ground,
+            face,
+            n,
+        } = self;
+        let step = T::of(2.0) / T::whole(u64::from(n));
+        let along = |index: u32| min(T::whole(u64::from(index)) * step - T::ONE, T::ONE);
+        for row in 0..n {
+            let y = along(row);
+            for start in (0..n).step_by(BLOCK) {
+                let mut xs = [T::ZERO; BLOCK];
+                for (x, index) in xs.iter_mut().zip(start..) {
+                    *x = along(index);
+                }
+                let at = |x: T| FacePoint::within(face, x, y);
+                let mut regular = true;
+                let [mut aspect, mut sides, mut area, mut deformation] = [[T::ZERO; BLOCK]; 4];
+                let columns = aspect.iter_mut().zip(&mut sides).zip(&mut area).zip(&mut deformation);
+                for ((((aspect, sides), area), deformation), &x) in columns.zip(&xs) {
+                    let texel = ground.slopes(face, [x, y]);
+                    [*aspect, *sides, *area, *deformation] = survey.measures(&texel);
+                    regular &= texel.is_regular();
+                }
+                if regular & (n - start >= BLOCK as u32) {
+                    let place = |index: usize| at(xs.get(index).copied().unwrap_or(T::ZERO));
+                    survey.aspect.include_block(&aspect, place);
+                    survey.sides.include_block(&sides, place);
+                    survey.area.include_block(&area, place);
+                    survey.deformation.include_block(&deformation, place);
+                } else {
+                    for &x in xs.iter().take((n - start) as usize) {
+                        match ground.jacobian(at(x)) {
+                            Ok(texel) => survey.include(at(x), &texel),
+                            Err(_) => survey.skipped += 1,
+                        }
+                    }
+                }
+            }
+        }
+    }
 }
