@@ -275,6 +275,16 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[inline(always)]
+    fn signed_like(self, sign: Self) -> Self {
+        self.chain(self.value.signed_like(sign.value), T::ONE)
+    }
+
+    #[inline(always)]
+    fn vanish(self) -> Self {
+        self.chain(self.value.vanish(), T::ONE)
+    }
+
+    #[inline(always)]
     fn is_finite(self) -> bool {
         self.value.is_finite()
     }

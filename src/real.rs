@@ -95,6 +95,14 @@ pub trait Real:
     #[must_use]
     fn copysign(self, sign: Self) -> Self;
 
+    /// The same number, but a zero takes the sign of `sign`, which any other number has already.
+    #[must_use]
+    fn signed_like(self, sign: Self) -> Self;
+
+    /// 0 in place of a value that is 0 but for its rounding; what a [`Dual`](crate::Dual) carries beside it stays.
+    #[must_use]
+    fn vanish(self) -> Self;
+
     /// Whether the value is neither infinite nor NaN.
     #[must_use]
     fn is_finite(self) -> bool;
@@ -202,6 +210,16 @@ macro_rules! real {
             #[inline(always)]
             fn copysign(self, sign: Self) -> Self {
                 $float::copysign(self, sign)
+            }
+
+            #[inline(always)]
+            fn signed_like(self, sign: Self) -> Self {
+                $float::copysign(self, sign)
+            }
+
+            #[inline(always)]
+            fn vanish(self) -> Self {
+                0.0
             }
 
             #[inline(always)]

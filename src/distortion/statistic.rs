@@ -104,8 +104,12 @@ impl<T: Real> Statistic<T> {
             self.extend(extreme);
         }
         self.count += other.count;
-        self.deviations.add(other.deviations.total());
-        self.squares.add(other.squares.total());
+        for part in [other.deviations.total, other.deviations.carry] {
+            self.deviations.add(part);
+        }
+        for part in [other.squares.total, other.squares.carry] {
+            self.squares.add(part);
+        }
     }
 
     #[inline(always)]
@@ -156,34 +160,31 @@ impl<T: Real> Statistic<T> {
     /// The arithmetic mean; NaN of none.
     #[must_use]
     pub fn mean(&self) -> T {
-        self.ideal + self.deviations.total() / T::whole(self.count)
+        self.ideal + self.deviations.total / T::whole(self.count)
     }
 
     /// The root of the mean square of the deviations from the ideal; NaN of none.
     #[must_use]
     pub fn rmsd(&self) -> T {
-        (self.squares.total() / T::whole(self.count)).sqrt()
+        (self.squares.total / T::whole(self.count)).sqrt()
     }
 }
 
-/// A sum that keeps what its rounding loses (Neumaier), so that millions of `f32` add up.
+/// A sum that carries on what its rounding loses (Kahan, with Knuth's exact sum), so that millions of `f32` add up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Sum<T> {
-    rounded: T,
-    lost: T,
+    total: T,
+    carry: T,
 }
 
 impl<T: Real> Sum<T> {
     #[inline(always)]
     fn add(&mut self, value: T) {
-        let sum = self.rounded + value;
-        let part = sum - self.rounded;
-        self.lost += (self.rounded - (sum - part)) + (value - part);
-        self.rounded = sum;
-    }
-
-    fn total(self) -> T {
-        self.rounded + self.lost
+        let value = value + self.carry;
+        let sum = self.total + value;
+        let part = sum - self.total;
+        self.carry = (self.total - (sum - part)) + (value - part);
+        self.total = sum;
     }
 }

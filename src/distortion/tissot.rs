@@ -54,14 +54,16 @@ impl<T: Real> Tissot<T> {
         // Of the ellipse on the ground that the face's unit circle is: its shorter axis is where the scale is largest.
         let (p, q, r) = (a * a + c * c, a * b + c * d, b * b + d * d);
         let twice = atan2_degrees(T::of(-2.0) * q, p - r);
-        let azimuth = T::of(0.5) * twice + T::ZERO;
+        let azimuth = T::of(0.5) * twice;
+        let half_circle = T::of(180.0);
+        let azimuth = select(azimuth < T::ZERO, azimuth + half_circle, azimuth);
         Self {
             meridian: (a * a + c * c).sqrt() * scale,
             parallel: (b * b + d * d).sqrt() * scale,
             graticule_angle: atan2_degrees(area, -q),
             major: unit / shortest,
             minor: unit / longest,
-            azimuth: select(azimuth < T::ZERO, azimuth + T::of(180.0), azimuth),
+            azimuth: select(azimuth < half_circle, azimuth + T::ZERO, T::ZERO),
             areal: scale * unit,
             deformation: jacobian.deformation(),
         }

@@ -43,5 +43,5 @@ impl<const N: usize> Polynomial<N, N> {
 pub(crate) fn odd_unit<T: Real, const N: usize, const M: usize>(x: T, p: &Polynomial<N, M>) -> T {
     let z = x * x;
     // A zero keeps its sign: it may be what tells longitude −180 from 180.
-    (x - x * (T::ONE - z) * z.polynomial(p)).copysign(x)
+    (x - x * (T::ONE - z) * z.polynomial(p)).signed_like(x)
 }

@@ -70,7 +70,7 @@ fn quarter_and_rest<T: Real>(x: T) -> (T, (T, T)) {
 /// A sine of zero has the sign of the angle, so that −180 and 180 stay apart; a cosine's is positive.
 #[inline(always)]
 fn zero_of_sign<T: Real>((sin, cos): (T, T), x: T) -> (T, T) {
-    (select(sin == T::ZERO, T::ZERO.copysign(x), sin), cos + T::ZERO)
+    (select(sin == T::ZERO, sin.signed_like(x), sin), cos + T::ZERO)
 }
 
 /// Degrees to radians, as a sum of two numbers: π/180 is split so that its head times the argument's head is exact.

@@ -33,6 +33,8 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("Ellipsoid::to_ecef to 50 000 km", "m", [5e-9, 2.1]),
     ("Ellipsoid::to_geodetic below 100 km, down to the centre", "m", [2e-9, 0.8]),
     ("Ellipsoid::to_geodetic to 50 000 km", "m", [8e-9, 3.5]),
+    ("Ground::jacobian, slopes relative to the longest", "", [2e-15, 5e-7]),
+    ("Ground::jacobian, area, relative", "", [3e-15, 8e-7]),
     ("Karney on Mars and the Moon", "m", [4e-9, 1.0]),
     ("Karney for f = 1/10 and −1/150", "m", [1.2e-8, 1.0]),
     ("Karney for f = 1/10 and −1/150, several circuits", "m", [1.9e-8, 12.0]),

@@ -66,7 +66,12 @@ impl<'a> Row<'a> {
 
     /// |computed − truth|.
     pub fn error<T: Scalar>(self, column: &str, computed: T) -> f64 {
-        difference(computed.into(), self.text(column)).abs()
+        self.deviation(column, computed).abs()
+    }
+
+    /// computed − truth.
+    pub fn deviation<T: Scalar>(self, column: &str, computed: T) -> f64 {
+        difference(computed.into(), self.text(column))
     }
 
     /// |computed − truth| in units of the last place of the truth.

@@ -56,7 +56,7 @@ impl CubeProjection for Balanced {
             x += (du * vy - dv * uy) / determinant;
             y += (dv * ux - du * vx) / determinant;
         }
-        [x.copysign(u), y.copysign(v)]
+        [x.signed_like(u), y.signed_like(v)]
     }
 
     #[inline(always)]

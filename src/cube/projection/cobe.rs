@@ -69,7 +69,7 @@ impl QuadCube {
         let g_x = y * ((m - gamma) + q * (c10 + c11 * y + two * c20 * x)) + bracket + x * (d - p * d1);
         let g_y = edge + q * s - y * s + y * q * (c01 + c11 * x + two * c02 * y);
         [
-            (u + u * (p * g)).copysign(u),
+            (u + u * (p * g)).signed_like(u),
             T::ONE + p * g + two * x * (p * g_x - g),
             two * u * v * (p * g_y),
         ]
@@ -96,7 +96,7 @@ impl CubeProjection for QuadCube {
             u += (df * g_v - dg * f_v) / determinant;
             v += (dg * f_u - df * g_u) / determinant;
         }
-        from_gnomonic([u.copysign(x), v.copysign(y)])
+        from_gnomonic([u.signed_like(x), v.signed_like(y)])
     }
 }
 
@@ -157,7 +157,7 @@ impl CubeProjection for Cobe {
                 }
                 sum = sum * yy + inner;
             }
-            (x + x * (T::ONE - xx) * sum).copysign(x)
+            (x + x * (T::ONE - xx) * sum).signed_like(x)
         };
         from_gnomonic([half(x, y), half(y, x)])
     }

@@ -46,7 +46,8 @@ impl CubeProjection for Conformal {
         let cube = (w * w * w).times_i();
         let rest = power * (cube * cube.polynomial(&TO_PLANE));
         // 1 − 2z, the large parts first: near the midline their difference is exact.
-        let short = select(minor == T::ZERO, T::ZERO, (T::ONE - size) - (bend + rest.re));
+        let short = (T::ONE - size) - (bend + rest.re);
+        let short = select(minor == T::ZERO, short.vanish(), short);
         let long = T::ONE - (power.im + rest.im);
         let [x, y] = select(steep, [short, long], [long, short]);
 
@@ -56,8 +57,8 @@ impl CubeProjection for Conformal {
         let [cx, cy] = (zeta * (square * square).polynomial(&CENTRE_TO_PLANE)).parts();
         let central = zeta.norm() < T::of(0.02);
         [
-            select(central, cx, x).copysign(right),
-            select(central, cy, y).copysign(up),
+            select(central, cx.signed_like(right), x.copysign(right)),
+            select(central, cy.signed_like(up), y.copysign(up)),
         ]
     }
 
@@ -84,7 +85,8 @@ impl CubeProjection for Conformal {
         let two = T::of(2.0);
         let center = two - w.norm();
         let slant = T::of(2.0 * SQRT_3) * w.im;
-        let minor = select(p == half, T::ZERO, center - T::of(4.0) * w.re);
+        let minor = center - T::of(4.0) * w.re;
+        let minor = select(p == half, minor.vanish(), minor);
         let edge = center + two * w.re;
         let [right, up] = select(steep, [minor, edge - slant], [edge - slant, minor]);
 
@@ -93,10 +95,13 @@ impl CubeProjection for Conformal {
         let zeta = z * (square * square).polynomial(&CENTRE_TO_SPHERE);
         let local = select(
             z.norm() < T::of(0.14),
-            [two * zeta.re, two * zeta.im, T::ONE - zeta.norm()],
-            [right, up, edge + slant],
+            [
+                (two * zeta.re).signed_like(x),
+                (two * zeta.im).signed_like(y),
+                T::ONE - zeta.norm(),
+            ],
+            [right.copysign(x), up.copysign(y), edge + slant],
         );
-        let [right, up, outward] = normalise(local);
-        [right.copysign(x), up.copysign(y), outward]
+        normalise(local)
     }
 }
