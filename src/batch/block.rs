@@ -53,11 +53,18 @@ pub(crate) fn block<'a, 's: 'a, T: Copy>(column: &mut &'s [T], spare: &'a mut [T
             block
         }
         None => {
-            for (slot, value) in spare.iter_mut().zip(take(column)) {
-                *slot = *value;
-            }
+            pad(take(column), spare);
             spare
         }
+    }
+}
+
+/// Copies the last elements, out of line.
+#[cold]
+#[inline(never)]
+fn pad<T: Copy>(column: &[T], spare: &mut [T; BLOCK]) {
+    for (slot, value) in spare.iter_mut().zip(column) {
+        *slot = *value;
     }
 }
 
@@ -147,16 +154,16 @@ pub(crate) trait Door<T, const I: usize> {
     type Error;
 
     /// Whether the constructor keeps the numbers as they are; `#[inline(always)]`, without a branch.
-    fn keeps(input: [T; I]) -> bool;
+    fn keeps(&self, input: [T; I]) -> bool;
 
     /// The numbers as the constructor keeps them.
-    fn admit(input: [T; I]) -> Result<[T; I], Self::Error>;
+    fn admit(&self, input: [T; I]) -> Result<[T; I], Self::Error>;
 }
 
 /// Whether a door keeps all numbers as they are.
 struct Check<'s, D, T, const I: usize> {
+    door: &'s D,
     columns: [&'s [T]; I],
-    door: core::marker::PhantomData<D>,
 }
 
 impl<T: Real, D: Door<T, I>, const I: usize> Pass for Check<'_, D, T, I> {
@@ -165,7 +172,9 @@ impl<T: Real, D: Door<T, I>, const I: usize> Pass for Check<'_, D, T, I> {
     #[inline(always)]
     #[allow(clippy::indexing_slicing)] // as above
     fn run(mut self) -> bool {
-        let [first, ..] = self.columns.as_slice() else { return true };
+        let [first, ..] = self.columns.as_slice() else {
+            return true;
+        };
         let blocks = first.len() / BLOCK;
         let mut spare = [[T::ZERO; BLOCK]; I];
         let mut all = true;
@@ -173,59 +182,60 @@ impl<T: Real, D: Door<T, I>, const I: usize> Pass for Check<'_, D, T, I> {
             let block = self.columns.next(&mut spare);
             let mut these = true;
             for i in 0..BLOCK {
-                these &= D::keeps(block.map(|column| column[i]));
+                these &= self.door.keeps(block.map(|column| column[i]));
             }
             all &= these;
         }
         let rest = self.columns.iter().fold(BLOCK, |n, column| n.min(column.len()));
         for i in 0..rest {
-            all &= D::keeps(self.columns.map(|column| column[i]));
+            all &= self.door.keeps(self.columns.map(|column| column[i]));
         }
         all
     }
 }
 
-/// Elements that are mended together.
-const CHUNK: usize = 4 * BLOCK;
+/// Elements that go through buffers together.
+pub(crate) const CHUNK: usize = 4 * BLOCK;
 
 /// Lets the columns in by the door, then does the work on them as the constructor keeps them: all at once if it changes nothing,
-/// else in parts.
+/// else in parts of the length given.
 ///
 /// # Errors
 /// [`InvalidBatch`], before any work, for unequal lengths (`others` are those of the results) and for what the door refuses.
 pub(crate) fn admit<T: Real, D: Door<T, I>, const I: usize>(
+    door: &D,
     columns: [&[T]; I],
     others: &[usize],
-    mut work: impl FnMut([&[T]; I]),
+    mut work: impl FnMut(usize, [&[T]; I]),
 ) -> Result<(), InvalidBatch<D::Error>> {
     let length = columns.first().map_or(0, |column| column.len());
     same_length(length, &columns.map(<[T]>::len))?;
     same_length(length, others)?;
-    let kept = widest(Check::<D, T, I> {
-        columns,
-        door: core::marker::PhantomData,
-    });
-    if kept {
-        work(columns);
+    if widest(Check { door, columns }) {
+        work(length, columns);
         return Ok(());
     }
     let element = |index: usize| columns.map(|column| column.get(index).copied().unwrap_or_default());
     for index in 0..length {
-        D::admit(element(index)).map_err(|why| InvalidBatch::Element { index, why })?;
+        door.admit(element(index))
+            .map_err(|why| InvalidBatch::Element { index, why })?;
     }
     let mut mended = [[T::ZERO; CHUNK]; I];
     let mut index = 0;
     while index < length {
         let here = CHUNK.min(length - index);
         for slot in 0..here {
-            let numbers = D::admit(element(index + slot)).unwrap_or([T::ZERO; I]);
+            let numbers = door.admit(element(index + slot)).unwrap_or([T::ZERO; I]);
             for (column, value) in mended.iter_mut().zip(numbers) {
                 if let Some(place) = column.get_mut(slot) {
                     *place = value;
                 }
             }
         }
-        work(mended.each_ref().map(|column| column.get(..here).unwrap_or_default()));
+        work(
+            here,
+            mended.each_ref().map(|column| column.get(..here).unwrap_or_default()),
+        );
         index += here;
     }
     Ok(())

@@ -1,26 +1,11 @@
 //! Directions to points of the cube's faces and back, by any [`CubeProjection`].
 
-use super::block::{BLOCK, Door, Kernel, Sink, Source, admit, front, store, sweep};
 use super::InvalidBatch;
+use super::block::{BLOCK, Door, Kernel, Sink, Source, admit, block, front, store, sweep};
+use super::position::Vectors;
 use crate::cube::{CubeProjection, Face, FacePoint, InvalidFacePoint};
 use crate::math::select;
 use crate::{Direction, InvalidDirection, Real};
-
-/// Vectors, of unit length or not.
-pub(super) struct Vectors;
-
-impl<T: Real> Door<T, 3> for Vectors {
-    type Error = InvalidDirection<T>;
-
-    #[inline(always)]
-    fn keeps([x, y, z]: [T; 3]) -> bool {
-        Direction::is_unit(x, y, z)
-    }
-
-    fn admit([x, y, z]: [T; 3]) -> Result<[T; 3], Self::Error> {
-        Direction::new(x, y, z).map(Direction::to_array)
-    }
-}
 
 /// Coordinates on a face.
 pub(super) struct Points;
@@ -29,11 +14,11 @@ impl<T: Real> Door<T, 2> for Points {
     type Error = InvalidFacePoint<T>;
 
     #[inline(always)]
-    fn keeps([x, y]: [T; 2]) -> bool {
+    fn keeps(&self, [x, y]: [T; 2]) -> bool {
         (x.abs() <= T::ONE) & (y.abs() <= T::ONE)
     }
 
-    fn admit([x, y]: [T; 2]) -> Result<[T; 2], Self::Error> {
+    fn admit(&self, [x, y]: [T; 2]) -> Result<[T; 2], Self::Error> {
         FacePoint::new(Face::Front, x, y).map(|_| [x, y])
     }
 }
@@ -105,7 +90,7 @@ impl<'s, T: Real> Source<'s, T, 3> for Faces<&'s [Face], [&'s [T]; 2]> {
             *slot = number(face);
         }
         let [px, py] = &mut self.points;
-        [numbers, super::block::block(px, x), super::block::block(py, y)]
+        [numbers, block(px, x), block(py, y)]
     }
 }
 
@@ -119,37 +104,75 @@ impl<T: Real> Sink<T, 3> for Faces<&mut [Face], [&mut [T]; 2]> {
     }
 }
 
-/// Directions to their places on the cube.
-pub fn project<T: Real, P: CubeProjection>(
+/// Of directions as [`Vectors`] keeps them.
+pub(super) fn project_units<T: Real, P: CubeProjection>(
     projection: P,
     directions: [&[T]; 3],
     faces: &mut [Face],
     points: [&mut [T]; 2],
-) -> Result<(), InvalidBatch<InvalidDirection<T>>> {
-    let [x, y] = points;
-    let lengths = [faces.len(), x.len(), y.len()];
-    let (mut faces, mut points) = ([faces], [x, y]);
-    admit::<T, Vectors, 3>(directions, &lengths, |directions| {
-        let length = directions.map(<[T]>::len)[0];
-        let [faces] = front(&mut faces, length);
-        let points = front(&mut points, length);
-        sweep(Project(projection), directions, Faces { faces, points });
-    })
+) {
+    sweep(Project(projection), directions, Faces { faces, points });
 }
 
-/// Places on the cube to their directions.
-pub fn unproject<T: Real, P: CubeProjection>(
+/// Of points as [`Points`] keeps them.
+pub(super) fn unproject_points<T: Real, P: CubeProjection>(
     projection: P,
     faces: &[Face],
     points: [&[T]; 2],
     directions: [&mut [T]; 3],
+) {
+    sweep(Unproject(projection), Faces { faces, points }, directions);
+}
+
+/// Directions to their places on the cube: [`CubeProjection::project`].
+///
+/// # Errors
+/// [`InvalidBatch`] for unequal lengths, and for what [`Direction::new`] refuses; nothing is written then.
+///
+/// ```
+/// use terrella::batch::cube;
+/// use terrella::cube::{Face, S2Quadratic};
+/// let (mut face, mut x, mut y) = ([Face::Front; 2], [0.0; 2], [0.0; 2]);
+/// cube::project(S2Quadratic, [&[0.0, 1.0], &[2.0, 0.0], &[2.0, 0.5]], &mut face, [&mut x, &mut y])?;
+/// assert_eq!((face[0], x[0], y[0]), (Face::Right, 0.0, 1.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn project<T: Real, P: CubeProjection>(
+    projection: P,
+    directions: [&[T]; 3],
+    faces: &mut [Face],
+    mut points: [&mut [T]; 2],
+) -> Result<(), InvalidBatch<InvalidDirection<T>>> {
+    let lengths = [faces.len(), points[0].len(), points[1].len()];
+    let mut faces = [faces];
+    admit(&Vectors, directions, &lengths, |length, directions| {
+        let [faces] = front(&mut faces, length);
+        project_units(projection, directions, faces, front(&mut points, length));
+    })
+}
+
+/// Places on the cube to their directions: [`CubeProjection::unproject`].
+///
+/// # Errors
+/// [`InvalidBatch`] for unequal lengths, and for what [`FacePoint::new`] refuses; nothing is written then.
+///
+/// ```
+/// use terrella::batch::cube;
+/// use terrella::cube::{Face, Outerra};
+/// let (mut x, mut y, mut z) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+/// cube::unproject(Outerra, &[Face::Back, Face::Top], [&[0.0, 0.0], &[0.0, 1.0]], [&mut x, &mut y, &mut z])?;
+/// assert_eq!((x[0], y[0], z[0]), (-1.0, 0.0, 0.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn unproject<T: Real, P: CubeProjection>(
+    projection: P,
+    faces: &[Face],
+    points: [&[T]; 2],
+    mut directions: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidFacePoint<T>>> {
-    let [x, y, z] = directions;
-    let lengths = [faces.len(), x.len(), y.len(), z.len()];
-    let mut directions = Some([x, y, z]);
-    admit::<T, Points, 2>(points, &lengths, |points| {
-        if let Some(directions) = directions.take() {
-            sweep(Unproject(projection), Faces { faces, points }, directions);
-        }
+    let [x, y, z] = directions.each_ref().map(|column| column.len());
+    // A point is kept or refused: all of them come at once.
+    admit(&Points, points, &[faces.len(), x, y, z], |length, points| {
+        unproject_points(projection, faces, points, front(&mut directions, length));
     })
 }

@@ -36,6 +36,10 @@ use core::fmt;
 
 mod block;
 pub mod cube;
+pub mod ellipsoid;
+pub mod latitude;
+pub mod map;
+pub mod position;
 mod widest;
 
 pub(crate) use widest::{Pass, widest};
