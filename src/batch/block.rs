@@ -188,7 +188,8 @@ impl<T: Real, D: Door<T, I>, const I: usize> Pass for Check<'_, D, T, I> {
         }
         let rest = self.columns.iter().fold(BLOCK, |n, column| n.min(column.len()));
         for i in 0..rest {
-            all &= self.door.keeps(self.columns.map(|column| column[i]));
+            let element = self.columns.map(|column| column.get(i).copied().unwrap_or_default());
+            all &= self.door.keeps(element);
         }
         all
     }
