@@ -58,6 +58,13 @@ impl<T: Real, const N: usize> Dual<T, N> {
         })
     }
 
+    /// A number with a value and derivatives.
+    #[must_use]
+    #[inline(always)]
+    pub const fn new(value: T, slopes: [T; N]) -> Self {
+        Self { value, slopes }
+    }
+
     /// The value.
     #[must_use]
     #[inline(always)]
@@ -235,6 +242,26 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
             sum = sum * self.value + T::coefficient(coefficients, i);
         }
         self.chain(sum, slope)
+    }
+
+    #[inline(always)]
+    fn complex_polynomial<const A: usize, const B: usize>(
+        [x, y]: [Self; 2],
+        coefficients: &Polynomial<A, B>,
+    ) -> [Self; 2] {
+        // As above: value v and slope s of an analytic function.
+        let [mut v, mut w, mut s, mut t] = [T::ZERO; 4];
+        for i in (0..T::terms(A, B)).rev() {
+            (s, t) = (s * x.value - t * y.value + v, s * y.value + t * x.value + w);
+            (v, w) = (
+                v * x.value - w * y.value + T::coefficient(coefficients, i),
+                v * y.value + w * x.value,
+            );
+        }
+        [
+            Self::new(v, x.slopes_with(y, |dx, dy| s * dx - t * dy)),
+            Self::new(w, x.slopes_with(y, |dx, dy| t * dx + s * dy)),
+        ]
     }
 
     #[inline(always)]

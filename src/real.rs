@@ -66,6 +66,20 @@ pub trait Real:
     #[must_use]
     fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self;
 
+    /// The same polynomial of the complex number x + iy: real and imaginary part.
+    #[must_use]
+    #[inline(always)]
+    fn complex_polynomial<const N: usize, const M: usize>(
+        [x, y]: [Self; 2],
+        coefficients: &Polynomial<N, M>,
+    ) -> [Self; 2] {
+        let (mut re, mut im) = (Self::ZERO, Self::ZERO);
+        for i in (0..Self::terms(N, M)).rev() {
+            (re, im) = (re * x - im * y + Self::coefficient(coefficients, i), re * y + im * x);
+        }
+        [re, im]
+    }
+
     /// One coefficient for this precision, 0 past the end.
     #[must_use]
     fn coefficient<const N: usize, const M: usize>(coefficients: &Polynomial<N, M>, index: usize) -> Self;

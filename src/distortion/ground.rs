@@ -1,7 +1,9 @@
 use core::fmt;
 
 use super::Jacobian;
+use super::jacobian::is_regular;
 use crate::cube::{CubeMap, CubeProjection, Face, FacePoint};
+use crate::latitude::{Turn, normal};
 use crate::{Direction, Dual, Ellipsoid, Real, Shifted};
 
 /// The planet under the faces of a cube map: places and derivatives, in metres.
@@ -40,6 +42,11 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
         self.map
     }
 
+    /// The map's step from sphere to ellipsoid, with derivatives.
+    pub(super) fn lifted(&self) -> &Shifted<Dual<T, 2>> {
+        &self.lifted
+    }
+
     /// The ellipsoid.
     #[must_use]
     pub fn ellipsoid(&self) -> Ellipsoid<T> {
@@ -56,21 +63,14 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     /// ones, the corners of the vertex and conformal cubes.
     #[inline]
     pub fn jacobian(&self, point: FacePoint<T>) -> Result<Jacobian<T>, Singular<T>> {
-        let jacobian = self.slopes(point.face(), [point.x(), point.y()]);
-        if jacobian.is_regular() {
+        let direction = direction(self.map.projection(), point.face(), [point.x(), point.y()]);
+        let [_, correction] = self.lifted.corrections();
+        let jacobian = jacobian(self.lifted.ellipsoid(), &correction, direction);
+        if is_regular(jacobian.area()) {
             Ok(jacobian)
         } else {
             Err(Singular(point))
         }
-    }
-
-    /// The same, whatever it is.
-    #[inline(always)]
-    pub(super) fn slopes(&self, face: Face, point: [T; 2]) -> Jacobian<T> {
-        let [x, y, z] = face.to_earth(self.map.projection().inverse(face, Dual::variables(point)));
-        let normal = self.lifted.normal(Direction::within(x, y, z));
-        let place = self.lifted.ellipsoid().foot(normal);
-        Jacobian::in_tangent_plane(normal.to_array().map(Dual::value), slopes(place))
     }
 
     /// The quotients of central differences over twice the step, as Dimitrijević, Lambers & Rančić (2016) take them with 10⁻⁶.
@@ -109,6 +109,23 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     pub fn central_texel(&self) -> T {
         self.differences(Face::Front, [T::ZERO; 2], T::pick(1e-6, 1e-3)).sides()
     }
+}
+
+/// The direction of a point of a face, with its derivatives.
+#[inline(always)]
+pub(super) fn direction<T: Real, P: CubeProjection>(projection: P, face: Face, point: [T; 2]) -> [Dual<T, 2>; 3] {
+    face.to_earth(projection.inverse(face, Dual::variables(point)))
+}
+
+/// The derivative of the ground where a direction leads, whatever it is.
+#[inline(always)]
+pub(super) fn jacobian<T: Real>(
+    ellipsoid: Ellipsoid<Dual<T, 2>>,
+    correction: &impl Turn<Dual<T, 2>>,
+    [x, y, z]: [Dual<T, 2>; 3],
+) -> Jacobian<T> {
+    let normal = normal(correction, Direction::within(x, y, z));
+    Jacobian::in_tangent_plane(normal.to_array().map(Dual::value), slopes(ellipsoid.foot(normal)))
 }
 
 /// The derivatives of a vector's components by each variable.

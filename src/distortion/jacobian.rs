@@ -76,13 +76,6 @@ impl<T: Real> Jacobian<T> {
         a * d - b * c
     }
 
-    /// Whether it can be inverted.
-    #[inline(always)]
-    pub(super) fn is_regular(&self) -> bool {
-        let area = self.area();
-        (area > T::ZERO) & area.is_finite()
-    }
-
     /// The angle on the ground between the directions of x and of y, in degrees, in [0, 180].
     #[must_use]
     #[inline]
@@ -120,6 +113,12 @@ impl<T: Real> Jacobian<T> {
         let difference = half * length([a - d, b + c]);
         [(sum - difference).abs(), sum + difference]
     }
+}
+
+/// Whether a derivative with this area can be inverted.
+#[inline(always)]
+pub(super) fn is_regular<T: Real>(area: T) -> bool {
+    (area > T::ZERO) & area.is_finite()
 }
 
 #[inline(always)]

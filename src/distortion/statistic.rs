@@ -2,9 +2,6 @@ use crate::Real;
 use crate::cube::FacePoint;
 use crate::math::{max, min, select};
 
-/// Values that are included at a time.
-pub(super) const BLOCK: usize = 32;
-
 /// Running results kept side by side, so that the loop vectorises with the same bits on every machine.
 const LANES: usize = 8;
 
@@ -64,15 +61,16 @@ impl<T: Real> Statistic<T> {
         self.squares.add(deviation * deviation);
     }
 
-    /// Includes a block of values; `place` is where the one of an index was seen.
+    /// Includes the values of places side by side, each with its x.
     #[inline(always)]
-    pub(super) fn include_block(&mut self, values: &[T; BLOCK], place: impl Fn(usize) -> FacePoint<T>) {
+    pub(super) fn include_row(&mut self, at: impl Fn(T) -> FacePoint<T>, xs: &[T], values: &[T]) {
         let infinity = T::of(f64::INFINITY);
         let [mut deviations, mut squares] = [[T::ZERO; LANES]; 2];
         let (mut least, mut most) = ([infinity; LANES], [-infinity; LANES]);
-        for lane_values in values.chunks_exact(LANES) {
+        let (groups, rest) = values.as_chunks::<LANES>();
+        for group in groups {
             let lanes = deviations.iter_mut().zip(&mut squares).zip(&mut least).zip(&mut most);
-            for ((((deviations, squares), least), most), &value) in lanes.zip(lane_values) {
+            for ((((deviations, squares), least), most), &value) in lanes.zip(group) {
                 let deviation = value - self.ideal;
                 *deviations += deviation;
                 *squares += deviation * deviation;
@@ -80,22 +78,21 @@ impl<T: Real> Statistic<T> {
                 *most = max(*most, value);
             }
         }
-        let least = least.into_iter().fold(infinity, min);
-        let most = most.into_iter().fold(-infinity, max);
-        let known = |extreme: Option<Extreme<T>>, none: T| extreme.map_or(none, |extreme| extreme.value);
-        if least < known(self.smallest, infinity) || most > known(self.largest, -infinity) {
-            for (index, &value) in values.iter().enumerate() {
-                self.extend(Extreme {
-                    value,
-                    at: place(index),
-                });
+        let sum = |lanes: [T; LANES]| lanes.into_iter().fold(T::ZERO, |sum, lane| sum + lane);
+        self.count += (groups.len() * LANES) as u64;
+        self.deviations.add(sum(deviations));
+        self.squares.add(sum(squares));
+
+        let new_least = least.into_iter().fold(infinity, min) < self.smallest.map_or(infinity, |old| old.value);
+        let new_most = most.into_iter().fold(-infinity, max) > self.largest.map_or(-infinity, |old| old.value);
+        if new_least | new_most {
+            for (&x, &value) in xs.iter().zip(values) {
+                self.extend(Extreme { value, at: at(x) });
             }
         }
-        self.count += BLOCK as u64;
-        self.deviations
-            .add(deviations.into_iter().fold(T::ZERO, |sum, lane| sum + lane));
-        self.squares
-            .add(squares.into_iter().fold(T::ZERO, |sum, lane| sum + lane));
+        for (&x, &value) in xs.iter().skip(groups.len() * LANES).zip(rest) {
+            self.include(at(x), value);
+        }
     }
 
     /// Includes what another statistic of the same kind has seen.

@@ -1,9 +1,11 @@
-use super::statistic::BLOCK;
+use super::ground::{direction, jacobian};
+use super::jacobian::is_regular;
 use super::{Ground, Jacobian, Statistic};
-use crate::Real;
-use crate::batch::{Pass, widest};
-use crate::cube::{CubeProjection, Face, FacePoint};
+use crate::batch::{BLOCK, Kernel, sweep};
+use crate::cube::{CubeProjection, Face, FacePoint, WithProjection};
+use crate::latitude::{Turn, with_correction};
 use crate::math::{max, min};
+use crate::{Dual, Ellipsoid, Real, Shifted};
 
 /// What is worst and what is usual over any set of places: an accumulator of fixed size.
 ///
@@ -51,30 +53,44 @@ impl<T: Real> Survey<T> {
     /// Includes a place.
     #[inline]
     pub fn include(&mut self, point: FacePoint<T>, texel: &Jacobian<T>) {
-        let [aspect, sides, area, deformation] = self.measures(texel);
+        self.take(point, measures(texel, self.reference));
+    }
+
+    /// Includes part of a row.
+    fn include_row(&mut self, face: Face, y: T, xs: &[T], texels: [&[T]; 4]) {
+        let at = |x: T| FacePoint::within(face, x, y);
+        let [aspect, sides, area, deformation] = texels;
+        if area.iter().all(|&area| is_regular(area)) {
+            self.aspect.include_row(at, xs, aspect);
+            self.sides.include_row(at, xs, sides);
+            self.area.include_row(at, xs, area);
+            self.deformation.include_row(at, xs, deformation);
+        } else {
+            let columns = aspect.iter().zip(sides).zip(area).zip(deformation);
+            for (&x, (((&aspect, &sides), &area), &deformation)) in xs.iter().zip(columns) {
+                if is_regular(area) {
+                    self.take(at(x), [aspect, sides, area, deformation]);
+                } else {
+                    self.skipped += 1;
+                }
+            }
+        }
+    }
+
+    fn take(&mut self, point: FacePoint<T>, [aspect, sides, area, deformation]: [T; 4]) {
         self.aspect.include(point, aspect);
         self.sides.include(point, sides);
         self.area.include(point, area);
         self.deformation.include(point, deformation);
     }
 
-    #[inline(always)]
-    fn measures(&self, texel: &Jacobian<T>) -> [T; 4] {
-        [
-            texel.aspect(),
-            texel.sides() / self.reference,
-            texel.area() / self.reference,
-            texel.deformation(),
-        ]
-    }
-
     /// Includes n × n places of a face, at x and y of −1 + 2i/n for i from 0 to n − 1: each texel once, and by symmetry the edges.
     ///
     /// Those where the map has no derivative are left out and counted.
     pub fn face<P: CubeProjection>(&mut self, ground: &Ground<T, P>, face: Face, n: u32) {
-        widest(Rows {
+        ground.map().projection().resolve(Rows {
             survey: self,
-            ground,
+            shifted: ground.lifted(),
             face,
             n,
         });
@@ -136,58 +152,97 @@ impl<T: Real> Survey<T> {
     }
 }
 
-/// The survey of a face, a block of a row at a time: first every place is measured, then all are counted.
-struct Rows<'a, T, P> {
+/// δ_aspect, δ_area, the true area in the same unit, ω.
+#[inline(always)]
+fn measures<T: Real>(texel: &Jacobian<T>, reference: T) -> [T; 4] {
+    [
+        texel.aspect(),
+        texel.sides() / reference,
+        texel.area() / reference,
+        texel.deformation(),
+    ]
+}
+
+/// The survey of a face by a known projection, a part of a row at a time.
+struct Rows<'a, T> {
     survey: &'a mut Survey<T>,
-    ground: &'a Ground<T, P>,
+    shifted: &'a Shifted<Dual<T, 2>>,
     face: Face,
     n: u32,
 }
 
-impl<T: Real, P: CubeProjection> Pass for Rows<'_, T, P> {
+impl<T: Real> WithProjection for Rows<'_, T> {
     type Output = ();
 
-    #[inline(always)]
-    fn run(self) {
+    fn with<P: CubeProjection>(self, projection: P) {
         let Self {
             survey,
-            ground,
+            shifted,
             face,
             n,
         } = self;
+        let ellipsoid = shifted.ellipsoid();
+        let [_, correction] = shifted.corrections();
+        let reference = survey.reference;
         let step = T::of(2.0) / T::whole(u64::from(n));
+        // The last may round to beyond the face.
         let along = |index: u32| min(T::whole(u64::from(index)) * step - T::ONE, T::ONE);
+        let mut places = [[T::ZERO; PART]; 2];
+        let mut directions = [[T::ZERO; PART]; 9];
+        let mut texels = [[T::ZERO; PART]; 4];
         for row in 0..n {
             let y = along(row);
-            for start in (0..n).step_by(BLOCK) {
-                let mut xs = [T::ZERO; BLOCK];
+            for start in (0..n).step_by(PART) {
+                let [xs, ys] = &mut places;
                 for (x, index) in xs.iter_mut().zip(start..) {
                     *x = along(index);
                 }
-                let at = |x: T| FacePoint::within(face, x, y);
-                let mut regular = true;
-                let [mut aspect, mut sides, mut area, mut deformation] = [[T::ZERO; BLOCK]; 4];
-                let columns = aspect.iter_mut().zip(&mut sides).zip(&mut area).zip(&mut deformation);
-                for ((((aspect, sides), area), deformation), &x) in columns.zip(&xs) {
-                    let texel = ground.slopes(face, [x, y]);
-                    [*aspect, *sides, *area, *deformation] = survey.measures(&texel);
-                    regular &= texel.is_regular();
-                }
-                if regular & (n - start >= BLOCK as u32) {
-                    let place = |index: usize| at(xs.get(index).copied().unwrap_or(T::ZERO));
-                    survey.aspect.include_block(&aspect, place);
-                    survey.sides.include_block(&sides, place);
-                    survey.area.include_block(&area, place);
-                    survey.deformation.include_block(&deformation, place);
-                } else {
-                    for &x in xs.iter().take((n - start) as usize) {
-                        match ground.jacobian(at(x)) {
-                            Ok(texel) => survey.include(at(x), &texel),
-                            Err(_) => survey.skipped += 1,
-                        }
-                    }
-                }
+                *ys = [y; PART];
+                sweep(
+                    ToDirection { projection, face },
+                    [xs.as_slice(), ys.as_slice()],
+                    directions.each_mut().map(<[T; PART]>::as_mut_slice),
+                );
+                let known = directions.each_ref().map(<[T; PART]>::as_slice);
+                let measured = texels.each_mut().map(<[T; PART]>::as_mut_slice);
+                with_correction!(correction, turn => sweep(ToTexel { ellipsoid, turn, reference }, known, measured));
+                let here = ((n - start) as usize).min(PART);
+                let used = |column| <[T]>::get(column, ..here).unwrap_or_default();
+                survey.include_row(face, y, used(xs), texels.each_ref().map(|column| used(column)));
             }
         }
+    }
+}
+
+/// Texels that are measured together.
+const PART: usize = 2 * BLOCK;
+
+/// A point of a face to the components of its direction, each followed by its derivatives.
+struct ToDirection<P> {
+    projection: P,
+    face: Face,
+}
+
+impl<T: Real, P: CubeProjection> Kernel<T, 2, 9> for ToDirection<P> {
+    #[inline(always)]
+    fn apply(&self, point: [T; 2]) -> [T; 9] {
+        let [x, y, z] = direction(self.projection, self.face, point);
+        let ([xx, xy], [yx, yy], [zx, zy]) = (x.slopes(), y.slopes(), z.slopes());
+        [x.value(), xx, xy, y.value(), yx, yy, z.value(), zx, zy]
+    }
+}
+
+/// That to what a survey counts.
+struct ToTexel<T, C> {
+    ellipsoid: Ellipsoid<Dual<T, 2>>,
+    turn: C,
+    reference: T,
+}
+
+impl<T: Real, C: Turn<Dual<T, 2>>> Kernel<T, 9, 4> for ToTexel<T, C> {
+    #[inline(always)]
+    fn apply(&self, [x, xx, xy, y, yx, yy, z, zx, zy]: [T; 9]) -> [T; 4] {
+        let direction = [Dual::new(x, [xx, xy]), Dual::new(y, [yx, yy]), Dual::new(z, [zx, zy])];
+        measures(&jacobian(self.ellipsoid, &self.turn, direction), self.reference)
     }
 }

@@ -75,14 +75,27 @@ impl<T: Real> Ellipsoid<T> {
     #[must_use]
     #[inline]
     pub fn to_geodetic(self, point: Ecef<T>) -> Geodetic<T> {
+        if self.is_ordinary(point) {
+            self.to_geodetic_ordinary(point)
+        } else {
+            self.to_geodetic_rare(point)
+        }
+    }
+
+    /// Whether the straight line holds for a point.
+    #[inline(always)]
+    pub(crate) fn is_ordinary(self, point: Ecef<T>) -> bool {
         let [x, y, z] = point.to_array();
         let across = x * x + y * y;
         let square = across + z * z;
         let inner = self.newton_radius();
-        let ordinary = (square > inner * inner) & (across > T::pick(1e-250, 1e-30)) & (square < T::pick(1e300, 1e36));
-        if !ordinary {
-            return self.to_geodetic_rare(point);
-        }
+        (square > inner * inner) & (across > T::pick(1e-250, 1e-30)) & (square < T::pick(1e300, 1e36))
+    }
+
+    /// [`Self::to_geodetic`] in a straight line.
+    #[inline(always)]
+    pub(crate) fn to_geodetic_ordinary(self, point: Ecef<T>) -> Geodetic<T> {
+        let [x, y, z] = point.to_array();
         let (rho, rho_lost) = hypotenuse(x, y);
         let (sin, cos) = self.normal(rho, z);
         let (lat, height) = self.settle((rho, rho_lost), z, sin, cos);

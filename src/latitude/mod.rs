@@ -7,8 +7,11 @@ mod conversion;
 mod correction;
 mod shifted;
 
+pub(crate) use conversion::{Angle, Degrees, Radians, conformal, corrected, isometric};
 pub use conversion::{Conversion, InvalidLatitude};
+pub(crate) use correction::{Correction, Turn, Unturned, with_correction};
 pub use shifted::Shifted;
+pub(crate) use shifted::normal;
 
 macro_rules! names {
     ($(#[$doc:meta])* $kind:ident, $unknown:ident, $what:literal: $($(#[$variant_doc:meta])* $variant:ident $name:literal,)*) => {

@@ -1,4 +1,4 @@
-use super::correction::Correction;
+use super::correction::{Correction, Turn};
 use super::{Shift, UnsupportedFlattening};
 use crate::math::{atan2_degrees, max, sin_cos_degrees};
 use crate::{Direction, Dual, Ellipsoid, LatLon, Real};
@@ -46,6 +46,11 @@ impl<T: Real> Shifted<T> {
         self.shift
     }
 
+    /// From the geodetic latitude to the sphere's, and back.
+    pub(crate) fn corrections(&self) -> [Correction<T>; 2] {
+        [self.forward, self.inverse]
+    }
+
     /// The direction of a geodetic latitude and longitude.
     #[must_use]
     #[inline]
@@ -61,16 +66,11 @@ impl<T: Real> Shifted<T> {
         LatLon::within(atan2_degrees(sin, cos), direction.lon())
     }
 
-    /// The ellipsoid's outward normal where a direction leads, without an angle on the way.
+    /// The ellipsoid's outward normal where a direction leads.
     #[must_use]
     #[inline(always)]
     pub(crate) fn normal(&self, direction: Direction<T>) -> Direction<T> {
-        let [x, y, z] = direction.to_array();
-        // cos φ over the distance from the axis is smooth across the pole if that distance is not quite 0.
-        let axial = max(T::pick(1e-300, 1e-36), x * x + y * y).sqrt();
-        let (sin, cos) = self.inverse.turn((z, axial));
-        let scale = cos / axial;
-        Direction::within(x * scale, y * scale, sin)
+        normal(&self.inverse, direction)
     }
 
     /// The same step for a scalar with derivatives.
@@ -83,4 +83,16 @@ impl<T: Real> Shifted<T> {
             inverse: self.inverse.lifted(),
         }
     }
+}
+
+/// The ellipsoid's outward normal where a direction leads, by the correction to the geodetic latitude; without an angle on the way.
+#[must_use]
+#[inline(always)]
+pub(crate) fn normal<T: Real>(correction: &impl Turn<T>, direction: Direction<T>) -> Direction<T> {
+    let [x, y, z] = direction.to_array();
+    // cos φ over the distance from the axis is smooth across the pole if that distance is not quite 0.
+    let axial = max(T::pick(1e-300, 1e-36), x * x + y * y).sqrt();
+    let (sin, cos) = correction.turn((z, axial));
+    let scale = cos / axial;
+    Direction::within(x * scale, y * scale, sin)
 }

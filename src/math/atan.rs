@@ -10,7 +10,7 @@ use crate::Real;
 /// assert_eq!(terrella::math::atan(1.0_f64), core::f64::consts::FRAC_PI_4);
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn atan<T: Real>(x: T) -> T {
     let (high, low) = Reduced::new(x.abs(), T::ONE).radians();
     (high + low).copysign(x)
@@ -24,7 +24,7 @@ pub fn atan<T: Real>(x: T) -> T {
 /// assert_eq!(terrella::math::atan2(1.0_f64, -1.0), 0.75 * core::f64::consts::PI);
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn atan2<T: Real>(y: T, x: T) -> T {
     let (high, low) = Reduced::new(y.abs(), x.abs()).radians();
     let pi = T::pick(core::f64::consts::PI, core::f32::consts::PI);
@@ -41,7 +41,7 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
 /// assert_eq!(terrella::math::atan2_degrees(0.0_f64, -1.0), 180.0);
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
     let (high, low) = Reduced::new(y.abs(), x.abs()).degrees();
     opened(high, low, T::of(180.0), T::ZERO, x).copysign(y)
@@ -77,11 +77,16 @@ impl<T: Real> Reduced<T> {
         let large = larger > T::pick(1e200, 1e20);
         let scale = select(small, grow, select(large, shrink, T::ONE));
         let (y, x) = (y * scale, x * scale);
-        let within = [7.0 / 16.0, 11.0 / 16.0, 16.0 / 11.0, 16.0 / 7.0].map(|limit| y <= x * T::of(limit));
-        let base = |table: [f64; 5]| entry(within, table.map(T::of));
+        let within = [
+            y <= x * T::of(7.0 / 16.0),
+            y <= x * T::of(11.0 / 16.0),
+            y <= x * T::of(16.0 / 11.0),
+            y <= x * T::of(16.0 / 7.0),
+        ];
+        let (zero, half, one) = (T::ZERO, T::of(0.5), T::ONE);
         // Sine and cosine of the base angle but for a common factor: the numerator is exact.
-        let sine = base([0.0, 0.5, 1.0, 1.0, 1.0]);
-        let cosine = base([1.0, 1.0, 1.0, 0.5, 0.0]);
+        let sine = entry(within, [zero, half, one, one, one]);
+        let cosine = entry(within, [one, one, one, half, zero]);
         let numerator = y * cosine - x * sine;
         let denominator = x * cosine + y * sine;
         let denominator = select(denominator == T::ZERO, T::ONE, denominator);

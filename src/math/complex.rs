@@ -35,15 +35,8 @@ impl<T: Real> Complex<T> {
     /// A polynomial with real coefficients, by Horner's rule.
     #[inline(always)]
     pub fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self {
-        let mut sum = Self {
-            re: T::ZERO,
-            im: T::ZERO,
-        };
-        for i in (0..T::terms(N, M)).rev() {
-            sum = sum * self;
-            sum.re += T::coefficient(coefficients, i);
-        }
-        sum
+        let [re, im] = T::complex_polynomial([self.re, self.im], coefficients);
+        Self { re, im }
     }
 }
 

@@ -13,7 +13,7 @@ use crate::Real;
 /// assert_eq!((sin, cos), (1.0, 6.123233995736766e-17));
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     let q = (x * T::of(core::f64::consts::FRAC_2_PI)).round();
     // π/2 in parts of 33, 33 and 53 bits (17, 17, 24): q times each of the first two is exact.
@@ -42,7 +42,7 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
 /// assert_eq!(terrella::math::sin_cos_degrees(180.0_f64), (0.0, -1.0));
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
     let (q, (high, low)) = quarter_and_rest(x);
     let [result, _] = reduced(high, low, T::ZERO);
@@ -50,7 +50,7 @@ pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
 }
 
 /// Sine and cosine as [`sin_cos_degrees`] gives them but for a rounding, and what is to be added to each: together within 0.2 ulp.
-#[inline]
+#[inline(always)]
 pub(crate) fn sin_cos_degrees_with_rest<T: Real>(x: T) -> [(T, T); 2] {
     let (q, (high, low)) = quarter_and_rest(x);
     let (head, tail) = high.split();

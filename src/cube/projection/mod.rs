@@ -58,6 +58,13 @@ pub trait CubeProjection: Copy {
     #[must_use]
     fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3];
 
+    /// Does something with this projection as the type that it is: [`Projection`] passes on the one it has picked, so that a loop over points
+    /// asks only once.
+    #[inline(always)]
+    fn resolve<W: WithProjection>(self, work: W) -> W::Output {
+        work.with(self)
+    }
+
     /// The face that a direction is mapped to: that of the largest component, unless the projection cuts the sphere otherwise.
     #[must_use]
     #[inline(always)]
@@ -83,6 +90,31 @@ pub trait CubeProjection: Copy {
         let [x, y, z] = point.face().to_earth(local);
         Direction::within(x, y, z)
     }
+}
+
+/// Something to be done with any projection, for [`CubeProjection::resolve`].
+///
+/// ```
+/// use terrella::cube::{CubeProjection, Projection, WithProjection};
+///
+/// /// How large a value of the projection's type is.
+/// struct Size;
+///
+/// impl WithProjection for Size {
+///     type Output = usize;
+///     fn with<P: CubeProjection>(self, _: P) -> usize {
+///         size_of::<P>()
+///     }
+/// }
+///
+/// assert_eq!((Projection::Vertex.resolve(Size), size_of::<Projection>()), (0, 1));
+/// ```
+pub trait WithProjection {
+    /// What comes of it.
+    type Output;
+
+    /// Does it.
+    fn with<P: CubeProjection>(self, projection: P) -> Self::Output;
 }
 
 macro_rules! projections {
@@ -124,6 +156,13 @@ macro_rules! projections {
         }
 
         impl CubeProjection for Projection {
+            #[inline]
+            fn resolve<W: WithProjection>(self, work: W) -> W::Output {
+                match self {
+                    $(Self::$variant => work.with($module::$variant),)*
+                }
+            }
+
             #[inline]
             fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2] {
                 match self {
