@@ -5,7 +5,7 @@ use core::fmt;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::Real;
-use crate::math::Polynomial;
+use crate::math::{Polynomial, repeat};
 use crate::real::sealed::Sealed;
 
 /// A number with its derivatives by `N` variables: every function of this crate, run on it, is differentiated.
@@ -214,6 +214,8 @@ impl<T: Real, const N: usize> MulAssign for Dual<T, N> {
 }
 
 impl<T: Real, const N: usize> Real for Dual<T, N> {
+    type Plain = T::Plain;
+
     const ZERO: Self = Self::constant(T::ZERO);
     const ONE: Self = Self::constant(T::ONE);
     const EPSILON: Self = Self::constant(T::EPSILON);
@@ -221,6 +223,16 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     #[inline(always)]
     fn of(literal: f64) -> Self {
         Self::constant(T::of(literal))
+    }
+
+    #[inline(always)]
+    fn plain(self) -> T::Plain {
+        self.value.plain()
+    }
+
+    #[inline(always)]
+    fn from_plain(value: T::Plain) -> Self {
+        Self::constant(T::from_plain(value))
     }
 
     #[inline(always)]
@@ -251,13 +263,15 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     ) -> [Self; 2] {
         // As above: value v and slope s of an analytic function.
         let [mut v, mut w, mut s, mut t] = [T::ZERO; 4];
-        for i in (0..T::terms(A, B)).rev() {
-            (s, t) = (s * x.value - t * y.value + v, s * y.value + t * x.value + w);
-            (v, w) = (
-                v * x.value - w * y.value + T::coefficient(coefficients, i),
-                v * y.value + w * x.value,
-            );
-        }
+        let mut i = T::terms(A, B);
+        repeat!(i.div_ceil(4), {
+            repeat!(i.min(4), {
+                i -= 1;
+                let c = T::coefficient(coefficients, i);
+                (s, t) = (s * x.value - t * y.value + v, s * y.value + t * x.value + w);
+                (v, w) = (v * x.value - w * y.value + c, v * y.value + w * x.value);
+            });
+        });
         [
             Self::new(v, x.slopes_with(y, |dx, dy| s * dx - t * dy)),
             Self::new(w, x.slopes_with(y, |dx, dy| t * dx + s * dy)),

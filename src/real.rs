@@ -3,7 +3,7 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::math::Polynomial;
+use crate::math::{Polynomial, repeat};
 
 pub(crate) mod sealed {
     pub trait Sealed {}
@@ -43,6 +43,9 @@ pub trait Real:
     + Sync
     + 'static
 {
+    /// The scalar without derivatives: itself, if it has none.
+    type Plain: Real;
+
     /// 0.
     const ZERO: Self;
     /// 1.
@@ -53,6 +56,14 @@ pub trait Real:
     /// The scalar nearest to a literal. Of a constant it is a constant: no conversion is left at run time.
     #[must_use]
     fn of(literal: f64) -> Self;
+
+    /// The value without derivatives.
+    #[must_use]
+    fn plain(self) -> Self::Plain;
+
+    /// A value without derivatives.
+    #[must_use]
+    fn from_plain(value: Self::Plain) -> Self;
 
     /// The scalar nearest to a whole number.
     #[must_use]
@@ -66,7 +77,7 @@ pub trait Real:
     #[must_use]
     fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self;
 
-    /// The same polynomial of the complex number x + iy: real and imaginary part.
+    /// The same polynomial of the complex number x + iy: real and imaginary part. Of at most 32 terms.
     #[must_use]
     #[inline(always)]
     fn complex_polynomial<const N: usize, const M: usize>(
@@ -74,9 +85,14 @@ pub trait Real:
         coefficients: &Polynomial<N, M>,
     ) -> [Self; 2] {
         let (mut re, mut im) = (Self::ZERO, Self::ZERO);
-        for i in (0..Self::terms(N, M)).rev() {
-            (re, im) = (re * x - im * y + Self::coefficient(coefficients, i), re * y + im * x);
-        }
+        let mut i = Self::terms(N, M);
+        repeat!(i.div_ceil(4), {
+            repeat!(i.min(4), {
+                i -= 1;
+                let c = Self::coefficient(coefficients, i);
+                (re, im) = (re * x - im * y + c, re * y + im * x);
+            });
+        });
         [re, im]
     }
 
@@ -160,6 +176,8 @@ pub trait Real:
 macro_rules! real {
     ($float:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path, $log1p:path, $expm1:path, $log2:path) => {
         impl Real for $float {
+            type Plain = Self;
+
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const EPSILON: Self = $float::EPSILON;
@@ -167,6 +185,16 @@ macro_rules! real {
             #[inline(always)]
             fn of(literal: f64) -> Self {
                 literal as $float
+            }
+
+            #[inline(always)]
+            fn plain(self) -> Self {
+                self
+            }
+
+            #[inline(always)]
+            fn from_plain(value: Self) -> Self {
+                value
             }
 
             #[inline(always)]

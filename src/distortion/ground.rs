@@ -61,7 +61,6 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     /// # Errors
     /// [`Singular`] where the map has no derivative that could be inverted: the centre of the quadrilateralized face and of HEALPix's polar
     /// ones, the corners of the vertex and conformal cubes.
-    #[inline]
     pub fn jacobian(&self, point: FacePoint<T>) -> Result<Jacobian<T>, Singular<T>> {
         let direction = direction(self.map.projection(), point.face(), [point.x(), point.y()]);
         let [_, correction] = self.lifted.corrections();
@@ -78,7 +77,6 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     /// Coordinates may be up to a step beyond the face, where the face's own formula is continued. Across a crease it is the mean of both sides.
     /// The differences are chords: shorter than arcs by 4e-14 of them for that step.
     #[must_use]
-    #[inline]
     pub fn differences(&self, face: Face, [x, y]: [T; 2], step: T) -> Jacobian<T> {
         let normal = |x: T, y: T| {
             let local = self.map.projection().inverse(face, [x, y]);

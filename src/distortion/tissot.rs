@@ -75,7 +75,6 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     ///
     /// # Errors
     /// [`Singular`] where the map has no derivative: see [`Ground::jacobian`].
-    #[inline]
     pub fn tissot(&self, point: FacePoint<T>) -> Result<Tissot<T>, Singular<T>> {
         Ok(Tissot::new(&self.jacobian(point)?, self.unit()))
     }

@@ -76,6 +76,21 @@ impl QuadCube {
     }
 }
 
+impl QuadCube {
+    /// (u, v) one step nearer to where the forward polynomial is (x, y).
+    #[inline(always)]
+    fn newton<T: Real>(self, [u, v]: [T; 2], [x, y]: [T; 2]) -> [T; 2] {
+        let [f, f_u, f_v] = self.value_and_slopes(u, v);
+        let [g, g_v, g_u] = self.value_and_slopes(v, u);
+        let determinant = f_u * g_v - f_v * g_u;
+        let (df, dg) = (x - f, y - g);
+        [
+            u + (df * g_v - dg * f_v) / determinant,
+            v + (dg * f_u - df * g_u) / determinant,
+        ]
+    }
+}
+
 impl CubeProjection for QuadCube {
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
@@ -87,14 +102,15 @@ impl CubeProjection for QuadCube {
 
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
-        let (mut u, mut v) = (x, y);
-        repeat!(T::steps(6, 5), {
-            let [f, f_u, f_v] = self.value_and_slopes(u, v);
-            let [g, g_v, g_u] = self.value_and_slopes(v, u);
-            let determinant = f_u * g_v - f_v * g_u;
-            let (df, dg) = (x - f, y - g);
-            u += (df * g_v - dg * f_v) / determinant;
-            v += (dg * f_u - df * g_u) / determinant;
+        // The derivatives, if any are asked for, come from steps at the root alone.
+        let (px, py) = (x.plain(), y.plain());
+        let (mut u, mut v) = (px, py);
+        repeat!(T::Plain::steps(6, 5), {
+            [u, v] = self.newton([u, v], [px, py]);
+        });
+        let (mut u, mut v) = (T::from_plain(u), T::from_plain(v));
+        repeat!(T::steps(0, 0), {
+            [u, v] = self.newton([u, v], [x, y]);
         });
         from_gnomonic([u.signed_like(x), v.signed_like(y)])
     }

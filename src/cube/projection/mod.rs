@@ -155,29 +155,26 @@ macro_rules! projections {
             }
         }
 
+        // Not inlined: each function is as long as all projections together.
         impl CubeProjection for Projection {
-            #[inline]
             fn resolve<W: WithProjection>(self, work: W) -> W::Output {
                 match self {
                     $(Self::$variant => work.with($module::$variant),)*
                 }
             }
 
-            #[inline]
             fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2] {
                 match self {
                     $(Self::$variant => $module::$variant.forward(face, local),)*
                 }
             }
 
-            #[inline]
             fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3] {
                 match self {
                     $(Self::$variant => $module::$variant.inverse(face, point),)*
                 }
             }
 
-            #[inline]
             fn face<T: Real>(&self, direction: Direction<T>) -> Face {
                 match self {
                     $(Self::$variant => $module::$variant.face(direction),)*
