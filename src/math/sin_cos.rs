@@ -116,8 +116,9 @@ fn quadrant<T: Real>(q: T, (sin, cos): (T, T)) -> (T, T) {
     let odd = m.abs() == T::ONE;
     let s = select(odd, cos, sin);
     let c = select(odd, sin, cos);
-    let two = m.abs() == T::of(2.0);
-    let s_negative = two | (m == -T::ONE);
-    let c_negative = two | (m == T::ONE);
-    (select(s_negative, -s, s), select(c_negative, -c, c))
+    // Of the sign of the sine and of the cosine at the middle of each quadrant.
+    let (half, more) = (T::of(0.5), T::of(1.5));
+    let s_sign = (half + m) * (more - m);
+    let c_sign = (half - m) * (more + m);
+    (s * T::ONE.copysign(s_sign), c * T::ONE.copysign(c_sign))
 }
