@@ -21,6 +21,12 @@ impl<T: Real> Ellipsoid<T> {
     #[must_use]
     #[inline]
     pub fn to_ecef(self, position: Geodetic<T>) -> Ecef<T> {
+        self.to_ecef_inline(position)
+    }
+
+    /// [`Self::to_ecef`], for loops.
+    #[inline(always)]
+    pub(crate) fn to_ecef_inline(self, position: Geodetic<T>) -> Ecef<T> {
         let [(sin, cos), (sin_rest, cos_rest)] = sin_cos_degrees_with_rest(position.lat());
         let [(sin_lon, cos_lon), (sin_lon_rest, cos_lon_rest)] = sin_cos_degrees_with_rest(position.lon());
         let e2 = self.e2();

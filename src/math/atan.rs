@@ -71,15 +71,13 @@ fn radians<T: Real>(y: T, x: T) -> T {
 
 /// An angle between an axis and a diagonal as a base angle, whose tangent is 0, ½ or 1, and a remainder whose tangent is at most
 /// 7/16 in size: fdlibm's reduction, with one division for all.
-///
-/// Where one of two numbers is chosen, one of them is 0: that needs no branch on any machine.
 struct Reduced<T> {
     /// Whether the angle is from the y axis.
     steep: bool,
     /// 1 or −1, the sign of x.
     side: T,
-    /// Whether the base angle is at least the second, the third.
-    beyond: [bool; 2],
+    /// 1 if the base angle is at least the second, the third, else 0: a factor of 0 or 1 chooses without a branch on any machine.
+    beyond: [T; 2],
     tangent: T,
     /// What to add to the tangent.
     lost: T,
@@ -98,10 +96,10 @@ impl<T: Real> Reduced<T> {
             * select(larger > T::pick(1e200, 1e20), shrink, T::ONE);
         let (larger, smaller) = (larger * scale, smaller * scale);
         let beyond = [
-            smaller > larger * T::of(7.0 / 16.0),
-            smaller > larger * T::of(11.0 / 16.0),
+            either(smaller > larger * T::of(7.0 / 16.0), T::ONE),
+            either(smaller > larger * T::of(11.0 / 16.0), T::ONE),
         ];
-        let base = either(beyond[0], T::of(0.5)) + either(beyond[1], T::of(0.5));
+        let base = (beyond[0] + beyond[1]) * T::of(0.5);
         let numerator = smaller - larger * base;
         let denominator = larger + smaller * base;
         let inverse = T::ONE / (denominator + either(larger == T::ZERO, T::ONE));
@@ -123,7 +121,7 @@ impl<T: Real> Reduced<T> {
     /// 0, or one of two numbers, which are within a factor of two of each other or the second 0, by the base angle.
     #[inline(always)]
     fn base(&self, second: T, third: T) -> T {
-        either(self.beyond[0], second) + either(self.beyond[1], third - second)
+        self.beyond[0] * second + self.beyond[1] * (third - second)
     }
 
     /// The angle from the x axis to the point, in [0, π]; rounded once.
