@@ -5,7 +5,7 @@ use core::fmt;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::Real;
-use crate::math::{Polynomial, repeat};
+use crate::math::{Polynomial, complex_polynomial};
 use crate::real::sealed::Sealed;
 
 /// A number with its derivatives by `N` variables: every function of this crate, run on it, is differentiated.
@@ -261,20 +261,15 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         [x, y]: [Self; 2],
         coefficients: &Polynomial<A, B>,
     ) -> [Self; 2] {
-        // As above: value v and slope s of an analytic function.
-        let [mut v, mut w, mut s, mut t] = [T::ZERO; 4];
-        let mut i = T::terms(A, B);
-        repeat!(i.div_ceil(4), {
-            repeat!(i.min(4), {
-                i -= 1;
-                let c = T::coefficient(coefficients, i);
-                (s, t) = (s * x.value - t * y.value + v, s * y.value + t * x.value + w);
-                (v, w) = (v * x.value - w * y.value + c, v * y.value + w * x.value);
-            });
+        let number = [x.value, y.value];
+        let [u, v] = T::complex_polynomial(number, coefficients);
+        // The derivative of an analytic function is one complex number.
+        let [s, t] = complex_polynomial(number, T::terms(A, B) - 1, |i| {
+            T::coefficient(coefficients, i + 1) * T::whole(i as u64 + 1)
         });
         [
-            Self::new(v, x.slopes_with(y, |dx, dy| s * dx - t * dy)),
-            Self::new(w, x.slopes_with(y, |dx, dy| t * dx + s * dy)),
+            Self::new(u, x.slopes_with(y, |dx, dy| s * dx - t * dy)),
+            Self::new(v, x.slopes_with(y, |dx, dy| t * dx + s * dy)),
         ]
     }
 

@@ -3,7 +3,7 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::math::{Polynomial, repeat};
+use crate::math::{Polynomial, complex_polynomial};
 
 pub(crate) mod sealed {
     pub trait Sealed {}
@@ -77,23 +77,14 @@ pub trait Real:
     #[must_use]
     fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self;
 
-    /// The same polynomial of the complex number x + iy: real and imaginary part. Of at most 32 terms.
+    /// The same polynomial of the complex number x + iy, of at most 32 terms: real and imaginary part.
     #[must_use]
     #[inline(always)]
     fn complex_polynomial<const N: usize, const M: usize>(
-        [x, y]: [Self; 2],
+        number: [Self; 2],
         coefficients: &Polynomial<N, M>,
     ) -> [Self; 2] {
-        let (mut re, mut im) = (Self::ZERO, Self::ZERO);
-        let mut i = Self::terms(N, M);
-        repeat!(i.div_ceil(4), {
-            repeat!(i.min(4), {
-                i -= 1;
-                let c = Self::coefficient(coefficients, i);
-                (re, im) = (re * x - im * y + c, re * y + im * x);
-            });
-        });
-        [re, im]
+        complex_polynomial(number, Self::terms(N, M), |i| Self::coefficient(coefficients, i))
     }
 
     /// One coefficient for this precision, 0 past the end.

@@ -3,7 +3,7 @@
 use super::InvalidBatch;
 use super::block::{BLOCK, Door, Kernel, Sink, Source, admit, block, front, store, sweep};
 use super::position::Vectors;
-use crate::cube::{CubeProjection, Face, FacePoint, InvalidFacePoint};
+use crate::cube::{CubeProjection, Face, FacePoint, InvalidFacePoint, ProjectionTask};
 use crate::math::select;
 use crate::{Direction, InvalidDirection, Real};
 
@@ -104,6 +104,28 @@ impl<T: Real> Sink<T, 3> for Faces<&mut [Face], [&mut [T]; 2]> {
     }
 }
 
+/// Where to project from, and to.
+struct ProjectAll<'a, T>([&'a [T]; 3], Faces<&'a mut [Face], [&'a mut [T]; 2]>);
+
+impl<T: Real> ProjectionTask for ProjectAll<'_, T> {
+    type Output = ();
+
+    fn run<P: CubeProjection>(self, projection: P) {
+        sweep(Project(projection), self.0, self.1);
+    }
+}
+
+/// Where to go back from, and to.
+struct UnprojectAll<'a, T>(Faces<&'a [Face], [&'a [T]; 2]>, [&'a mut [T]; 3]);
+
+impl<T: Real> ProjectionTask for UnprojectAll<'_, T> {
+    type Output = ();
+
+    fn run<P: CubeProjection>(self, projection: P) {
+        sweep(Unproject(projection), self.0, self.1);
+    }
+}
+
 /// Of directions as [`Vectors`] keeps them.
 pub(super) fn project_units<T: Real, P: CubeProjection>(
     projection: P,
@@ -111,7 +133,7 @@ pub(super) fn project_units<T: Real, P: CubeProjection>(
     faces: &mut [Face],
     points: [&mut [T]; 2],
 ) {
-    sweep(Project(projection), directions, Faces { faces, points });
+    projection.with(ProjectAll(directions, Faces { faces, points }));
 }
 
 /// Of points as [`Points`] keeps them.
@@ -121,7 +143,7 @@ pub(super) fn unproject_points<T: Real, P: CubeProjection>(
     points: [&[T]; 2],
     directions: [&mut [T]; 3],
 ) {
-    sweep(Unproject(projection), Faces { faces, points }, directions);
+    projection.with(UnprojectAll(Faces { faces, points }, directions));
 }
 
 /// Directions to their places on the cube: [`CubeProjection::project`].

@@ -68,7 +68,7 @@ impl<T: Real> Kernel<T, 3, 3> for ToEcef<T> {
     #[inline(always)]
     fn apply(&self, [lat, lon, height]: [T; 3]) -> [T; 3] {
         self.0
-            .to_ecef(Geodetic::within(LatLon::within(lat, lon), height))
+            .to_ecef_inline(Geodetic::within(LatLon::within(lat, lon), height))
             .to_array()
     }
 }

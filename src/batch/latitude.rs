@@ -103,7 +103,7 @@ impl<T: Real, C: Turn<T>, A: Angle> Kernel<T, 1, 1> for Isometric<C, A> {
 }
 
 fn correct<T: Real, A: Angle>(correction: &Correction<T>, from: &[T], to: &mut [T]) {
-    with_correction!(*correction, turn => sweep(Corrected(turn, PhantomData::<A>), [from], [to]));
+    with_correction!(correction, turn => sweep(Corrected(*turn, PhantomData::<A>), [from], [to]));
 }
 
 /// Step by step through the geodetic latitude, so that there are as many loops as corrections and not as pairs of them.
@@ -138,7 +138,7 @@ fn convert<T: Real, A: Angle>(
                 }
                 correct::<T, A>(&to_geodetic, start, geodetic);
                 if to == Latitude::Isometric {
-                    with_correction!(from_geodetic, turn => sweep(Isometric(turn, PhantomData::<A>), [&*geodetic], [results]));
+                    with_correction!(&from_geodetic, turn => sweep(Isometric(*turn, PhantomData::<A>), [&*geodetic], [results]));
                 } else {
                     correct::<T, A>(&from_geodetic, geodetic, results);
                 }

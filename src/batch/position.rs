@@ -60,12 +60,12 @@ impl<T: Real, C: Turn<T>> Kernel<T, 3, 2> for ToLatLon<C> {
 
 /// Of places as [`Places`] keeps them; a correction goes from their latitude to the sphere's.
 pub(super) fn turn_to_direction<T: Real>(correction: &Correction<T>, places: [&[T]; 2], directions: [&mut [T]; 3]) {
-    with_correction!(*correction, turn => sweep(ToDirection(turn), places, directions));
+    with_correction!(correction, turn => sweep(ToDirection(*turn), places, directions));
 }
 
 /// Of directions as [`Vectors`] keeps them; a correction goes from the sphere's latitude to that of the result.
 pub(super) fn turn_to_lat_lon<T: Real>(correction: &Correction<T>, directions: [&[T]; 3], places: [&mut [T]; 2]) {
-    with_correction!(*correction, turn => sweep(ToLatLon(turn), directions, places));
+    with_correction!(correction, turn => sweep(ToLatLon(*turn), directions, places));
 }
 
 /// [`to_direction`], with a correction of the latitude.

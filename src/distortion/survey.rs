@@ -2,7 +2,7 @@ use super::ground::{direction, jacobian};
 use super::jacobian::is_regular;
 use super::{Ground, Jacobian, Statistic};
 use crate::batch::{BLOCK, Kernel, sweep};
-use crate::cube::{CubeProjection, Face, FacePoint, WithProjection};
+use crate::cube::{CubeProjection, Face, FacePoint, ProjectionTask};
 use crate::latitude::{Turn, with_correction};
 use crate::math::{max, min};
 use crate::{Dual, Ellipsoid, Real, Shifted};
@@ -88,7 +88,7 @@ impl<T: Real> Survey<T> {
     ///
     /// Those where the map has no derivative are left out and counted.
     pub fn face<P: CubeProjection>(&mut self, ground: &Ground<T, P>, face: Face, n: u32) {
-        ground.map().projection().resolve(Rows {
+        ground.map().projection().with(Rows {
             survey: self,
             shifted: ground.lifted(),
             face,
@@ -171,10 +171,10 @@ struct Rows<'a, T> {
     n: u32,
 }
 
-impl<T: Real> WithProjection for Rows<'_, T> {
+impl<T: Real> ProjectionTask for Rows<'_, T> {
     type Output = ();
 
-    fn with<P: CubeProjection>(self, projection: P) {
+    fn run<P: CubeProjection>(self, projection: P) {
         let Self {
             survey,
             shifted,

@@ -24,7 +24,7 @@ macro_rules! with_correction {
     ($correction:expr, $turn:ident => $result:expr) => {
         match $correction {
             $crate::latitude::Correction::None => {
-                let $turn = $crate::latitude::Unturned;
+                let $turn = &$crate::latitude::Unturned;
                 $result
             }
             $crate::latitude::Correction::Tangent($turn) => $result,
@@ -154,12 +154,12 @@ impl<T: Real> Correction<T> {
 impl<T: Real> Turn<T> for Correction<T> {
     #[inline(always)]
     fn angle(&self, double: (T, T)) -> T {
-        with_correction!(*self, turn => turn.angle(double))
+        with_correction!(self, turn => turn.angle(double))
     }
 
     #[inline(always)]
     fn turn(&self, latitude: (T, T)) -> (T, T) {
-        with_correction!(*self, turn => turn.turn(latitude))
+        with_correction!(self, turn => turn.turn(latitude))
     }
 }
 

@@ -1,6 +1,6 @@
 use core::ops::{Add, Mul};
 
-use super::Polynomial;
+use super::{Polynomial, repeat};
 use crate::Real;
 
 /// A complex number, as far as the conformal map needs one.
@@ -32,12 +32,30 @@ impl<T: Real> Complex<T> {
         [self.re, self.im]
     }
 
-    /// A polynomial with real coefficients, by Horner's rule.
+    /// A polynomial with real coefficients.
     #[inline(always)]
     pub fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self {
         let [re, im] = T::complex_polynomial([self.re, self.im], coefficients);
         Self { re, im }
     }
+}
+
+/// A polynomial of x + iy with `terms` real coefficients, at most 32: real and imaginary part.
+///
+/// Divided by the quadratic that the number and its conjugate are the roots of: two products a coefficient (Knuth, The Art of Computer
+/// Programming 2, 4.6.4, eq. 3).
+#[inline(always)]
+pub(crate) fn complex_polynomial<T: Real>([x, y]: [T; 2], terms: usize, coefficient: impl Fn(usize) -> T) -> [T; 2] {
+    let (twice, norm) = (x + x, x * x + y * y);
+    let (mut a, mut b) = (T::ZERO, T::ZERO);
+    let mut i = terms;
+    repeat!(terms.div_ceil(4), {
+        repeat!((i - 1).min(4), {
+            i -= 1;
+            (a, b) = (coefficient(i) + (twice * a - norm * b), a);
+        });
+    });
+    [coefficient(0) + (x * a - norm * b), y * a]
 }
 
 impl<T: Real> Add for Complex<T> {

@@ -23,7 +23,7 @@ mod tan;
 
 pub use atan::{atan, atan2, atan2_degrees};
 pub use cbrt::cbrt;
-pub(crate) use complex::Complex;
+pub(crate) use complex::{Complex, complex_polynomial};
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::odd_unit;

@@ -113,11 +113,15 @@ pub(crate) fn sin_cos_small<T: Real>(x: T) -> (T, T) {
 fn quadrant<T: Real>(q: T, (sin, cos): (T, T)) -> (T, T) {
     // q mod 4 in {−2, …, 2} without leaving the scalar, exact.
     let m = q - (q * T::of(0.25)).round() * T::of(4.0);
-    let odd = m.abs() == T::ONE;
-    let s = select(odd, cos, sin);
-    let c = select(odd, sin, cos);
-    let two = m.abs() == T::of(2.0);
-    let s_negative = two | (m == -T::ONE);
-    let c_negative = two | (m == T::ONE);
-    (select(s_negative, -s, s), select(c_negative, -c, c))
+    // A choice by factors of 0 and 1: no machine takes a branch for it. Their signs are those of sine and cosine at the middle
+    // of each quadrant.
+    let odd = select(m.abs() == T::ONE, T::ONE, T::ZERO);
+    let even = T::ONE - odd;
+    let (half, more) = (T::of(0.5), T::of(1.5));
+    let s_sign = (half + m) * (more - m);
+    let c_sign = (half - m) * (more + m);
+    (
+        sin * even.copysign(s_sign) + cos * odd.copysign(s_sign),
+        cos * even.copysign(c_sign) + sin * odd.copysign(c_sign),
+    )
 }

@@ -58,13 +58,6 @@ pub trait CubeProjection: Copy {
     #[must_use]
     fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3];
 
-    /// Does something with this projection as the type that it is: [`Projection`] passes on the one it has picked, so that a loop over points
-    /// asks only once.
-    #[inline(always)]
-    fn resolve<W: WithProjection>(self, work: W) -> W::Output {
-        work.with(self)
-    }
-
     /// The face that a direction is mapped to: that of the largest component, unless the projection cuts the sphere otherwise.
     #[must_use]
     #[inline(always)]
@@ -82,6 +75,12 @@ pub trait CubeProjection: Copy {
         FacePoint::within(face, on_face(x), on_face(y))
     }
 
+    /// Does a task with the projection itself: one that stands for another hands that on, so that a loop chooses once.
+    #[inline(always)]
+    fn with<W: ProjectionTask>(self, task: W) -> W::Output {
+        task.run(self)
+    }
+
     /// From a place on the cube to its direction.
     #[must_use]
     #[inline(always)]
@@ -92,29 +91,28 @@ pub trait CubeProjection: Copy {
     }
 }
 
-/// Something to be done with any projection, for [`CubeProjection::resolve`].
+/// What is to be done with a projection of any type: see [`CubeProjection::with`].
 ///
 /// ```
-/// use terrella::cube::{CubeProjection, Projection, WithProjection};
+/// use terrella::cube::{CubeProjection, Projection, ProjectionTask};
 ///
-/// /// How large a value of the projection's type is.
 /// struct Size;
 ///
-/// impl WithProjection for Size {
+/// impl ProjectionTask for Size {
 ///     type Output = usize;
-///     fn with<P: CubeProjection>(self, _: P) -> usize {
+///     fn run<P: CubeProjection>(self, _: P) -> usize {
 ///         size_of::<P>()
 ///     }
 /// }
 ///
-/// assert_eq!((Projection::Vertex.resolve(Size), size_of::<Projection>()), (0, 1));
+/// assert_eq!(Projection::Vertex.with(Size), 0);
 /// ```
-pub trait WithProjection {
+pub trait ProjectionTask {
     /// What comes of it.
     type Output;
 
     /// Does it.
-    fn with<P: CubeProjection>(self, projection: P) -> Self::Output;
+    fn run<P: CubeProjection>(self, projection: P) -> Self::Output;
 }
 
 macro_rules! projections {
@@ -157,12 +155,6 @@ macro_rules! projections {
 
         // Not inlined: each function is as long as all projections together.
         impl CubeProjection for Projection {
-            fn resolve<W: WithProjection>(self, work: W) -> W::Output {
-                match self {
-                    $(Self::$variant => work.with($module::$variant),)*
-                }
-            }
-
             fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2] {
                 match self {
                     $(Self::$variant => $module::$variant.forward(face, local),)*
@@ -172,6 +164,12 @@ macro_rules! projections {
             fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3] {
                 match self {
                     $(Self::$variant => $module::$variant.inverse(face, point),)*
+                }
+            }
+
+            fn with<W: ProjectionTask>(self, task: W) -> W::Output {
+                match self {
+                    $(Self::$variant => task.run($module::$variant),)*
                 }
             }
 
