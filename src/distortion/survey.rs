@@ -205,7 +205,10 @@ impl<T: Real> ProjectionTask for Rows<'_, T> {
                 );
                 let known = directions.each_ref().map(<[T; PART]>::as_slice);
                 let measured = texels.each_mut().map(<[T; PART]>::as_mut_slice);
-                with_correction!(correction, turn => sweep(ToTexel { ellipsoid, turn, reference }, known, measured));
+                with_correction!(&correction, turn => {
+                    let turn = *turn;
+                    sweep(ToTexel { ellipsoid, turn, reference }, known, measured);
+                });
                 let here = ((n - start) as usize).min(PART);
                 let used = |column| <[T]>::get(column, ..here).unwrap_or_default();
                 survey.include_row(face, y, used(xs), texels.each_ref().map(|column| used(column)));
