@@ -1,0 +1,96 @@
+//! Tissot's ellipses: what small circles on the ground, all of one size, become on the unfolded cube.
+
+use std::fmt::Write;
+
+use terrella::cube::{CubeMap, Face, Projection};
+use terrella::distortion::Jacobian;
+
+use crate::cross::{cell, on, pieces};
+use crate::geography::Line;
+use crate::measure::{sphere, texel};
+
+/// The edge of a face in the picture's units: fine enough for whole numbers.
+const FACE: u32 = 800;
+
+/// Ellipses along the edge of a face. Even: none is on a midline.
+const ELLIPSES: u32 = 8;
+
+/// Radius of an ellipse that is not deformed, over the distance to the next.
+const RADIUS: f64 = 0.36;
+
+/// Steps of a coast that are shorter are left out.
+const SHORTEST: f32 = 3.0;
+
+/// Draws the unfolded cube.
+pub fn svg(map: &CubeMap<f64, Projection>, coastline: &[Line]) -> String {
+    let coast = pieces(map, coastline, FACE);
+    let (width, height) = (4 * FACE, 3 * FACE);
+    let mut text = format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\">\n");
+    text += "<style>rect{fill:#131d2c;stroke:#3a4659;stroke-width:3}.coast{fill:none;stroke:#8fa3bf;stroke-width:3.2;\
+             stroke-linejoin:round;stroke-linecap:round}ellipse{fill:#f0c878;fill-opacity:.3;stroke:#f0c878;stroke-width:4}</style>\n";
+    for face in Face::ALL {
+        let (column, row) = cell(face);
+        let (x, y) = (column * FACE, row * FACE);
+        let _ = writeln!(
+            text,
+            "<g transform=\"translate({x} {y})\"><rect width=\"{FACE}\" height=\"{FACE}\"/>"
+        );
+        let _ = writeln!(
+            text,
+            "<path class=\"coast\" d=\"{}\"/>",
+            on(face, &coast).map(path).collect::<String>()
+        );
+        text += &ellipses(map.projection(), face);
+        text += "</g>\n";
+    }
+    text + "</svg>\n"
+}
+
+fn ellipses(projection: Projection, face: Face) -> String {
+    let ground = sphere(projection);
+    let circle = RADIUS * 2.0 / f64::from(ELLIPSES) * ground.unit();
+    let at = |index: u32| f64::from(2 * index + 1) / f64::from(ELLIPSES) - 1.0;
+    (0..ELLIPSES * ELLIPSES)
+        .filter_map(|index| {
+            let point = [at(index % ELLIPSES), at(index / ELLIPSES)];
+            Some(ellipse(point, circle, &texel(&ground, face, point)?))
+        })
+        .collect()
+}
+
+/// The ellipse of a circle on the ground, of a radius in metres: where the texel's lengths are least it is longest.
+fn ellipse([x, y]: [f64; 2], circle: f64, texel: &Jacobian<f64>) -> String {
+    let half = f64::from(FACE) / 2.0;
+    let [shortest, longest] = texel.extremes();
+    let ([a, b], [c, d]) = (texel.by_x, texel.by_y);
+    let (slant, stretch) = (a * c + b * d, texel.width().powi(2) - texel.height().powi(2));
+    // Of the direction on the face in which a step is longest on the ground; y is downward in the picture.
+    let angle = -0.5 * (2.0 * slant).atan2(stretch).to_degrees();
+    format!(
+        "<ellipse rx=\"{:.1}\" ry=\"{:.1}\" transform=\"translate({:.0} {:.0}) rotate({angle:.1})\"/>\n",
+        half * circle / longest,
+        half * circle / shortest,
+        half * (1.0 + x),
+        half * (1.0 - y),
+    )
+}
+
+/// A line in whole steps.
+fn path(line: &[[f32; 2]]) -> String {
+    let mut text = String::new();
+    let mut last = [0.0; 2];
+    for (index, &point) in line.iter().enumerate() {
+        let point = point.map(f32::round);
+        let [right, down] = [point[0] - last[0], point[1] - last[1]];
+        let is_end = index + 1 == line.len();
+        if index == 0 {
+            let _ = write!(text, "M{} {}l", point[0], point[1]);
+        } else if is_end || right.abs() + down.abs() >= SHORTEST {
+            let _ = write!(text, "{right} {down} ");
+        } else {
+            continue;
+        }
+        last = point;
+    }
+    text
+}

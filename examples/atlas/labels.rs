@@ -1,0 +1,112 @@
+//! Names beside points, none over another.
+
+/// A box: left, top, right, bottom.
+pub type Area = [f64; 4];
+
+/// A name that found its place.
+pub struct Label<'a> {
+    pub text: &'a str,
+    /// The left end of the baseline.
+    pub at: [f64; 2],
+    /// The far end of a line from the point to the name, if it is not beside it.
+    pub leader: Option<[f64; 2]>,
+}
+
+/// Width and height of a letter, with what is around it.
+const LETTER: [f64; 2] = [7.4, 18.0];
+
+/// From a point to its name, from near to far.
+const DISTANCES: [f64; 10] = [9.0, 20.0, 32.0, 45.0, 60.0, 76.0, 94.0, 114.0, 136.0, 160.0];
+
+/// Names at such a distance need a line.
+const BESIDE: f64 = 15.0;
+
+/// Directions in the order in which they are liked.
+const DIRECTIONS: [[f64; 2]; 12] = [
+    [1.0, 0.0],
+    [1.0, -0.7],
+    [1.0, 0.7],
+    [-1.0, 0.0],
+    [-1.0, -0.7],
+    [-1.0, 0.7],
+    [0.0, -1.0],
+    [0.0, 1.0],
+    [0.5, -1.0],
+    [0.5, 1.0],
+    [-0.5, -1.0],
+    [-0.5, 1.0],
+];
+
+/// Half the side of the box around a point, and around a place on a line.
+const POINT: f64 = 6.0;
+const STROKE: f64 = 2.0;
+
+/// Finds places for names at points, within a frame and clear of what is taken already.
+pub fn place<'a>(points: &[([f64; 2], &'a str)], frame: Area, taken: &[Area]) -> Vec<Label<'a>> {
+    let mut taken = taken.to_vec();
+    taken.extend(points.iter().map(|&(point, _)| around(point, POINT)));
+    let mut labels = Vec::new();
+    for &(point, text) in points {
+        let places = DISTANCES
+            .iter()
+            .flat_map(|&distance| DIRECTIONS.map(|direction| beside(point, text, distance, direction)));
+        let is_free = |&(area, leader): &(Area, Option<[f64; 2]>)| {
+            let inside = area[0] > frame[0] && area[1] > frame[1] && area[2] < frame[2] && area[3] < frame[3];
+            let line = leader.map(|end| along(point, end)).unwrap_or_default();
+            inside
+                && taken
+                    .iter()
+                    .all(|&other| !overlap(area, other) && line.iter().all(|&part| !overlap(part, other)))
+        };
+        let Some((area, leader)) = places.clone().find(is_free).or_else(|| places.clone().next()) else {
+            continue;
+        };
+        taken.push(area);
+        taken.extend(leader.map(|end| along(point, end)).unwrap_or_default());
+        labels.push(Label {
+            text,
+            at: [area[0] + 2.0, area[3] - 5.0],
+            leader,
+        });
+    }
+    labels
+}
+
+/// The box of a name in a direction from a point, and the end of a line to it.
+fn beside(point: [f64; 2], text: &str, distance: f64, direction: [f64; 2]) -> (Area, Option<[f64; 2]>) {
+    let half = [0.5 * (LETTER[0] * text.chars().count() as f64 + 4.0), 0.5 * LETTER[1]];
+    let end: [f64; 2] = std::array::from_fn(|i| point[i] + distance * direction[i]);
+    let middle: [f64; 2] =
+        std::array::from_fn(|i| end[i] + half[i] * direction[i].signum() * f64::from(direction[i] != 0.0));
+    let area = [
+        middle[0] - half[0],
+        middle[1] - half[1],
+        middle[0] + half[0],
+        middle[1] + half[1],
+    ];
+    (area, (distance > BESIDE).then_some(end))
+}
+
+/// Boxes along a line that leaves a point, from outside the point's own box.
+fn along(from: [f64; 2], to: [f64; 2]) -> Vec<Area> {
+    let length = f64::hypot(to[0] - from[0], to[1] - from[1]);
+    (0..)
+        .map(|step| POINT * 1.5 + STROKE + 3.0 * f64::from(step))
+        .take_while(|&way| way < length - STROKE)
+        .map(|way| {
+            around(
+                std::array::from_fn(|i| from[i] + way / length * (to[i] - from[i])),
+                STROKE,
+            )
+        })
+        .collect()
+}
+
+/// A box about a place.
+pub fn around([x, y]: [f64; 2], half: f64) -> Area {
+    [x - half, y - half, x + half, y + half]
+}
+
+fn overlap(a: Area, b: Area) -> bool {
+    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+}
