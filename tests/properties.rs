@@ -12,7 +12,7 @@ const PROPERTIES: &[(Projection, &str, f64, f64, f64, f64, &str, &str)] = &[
     (Projection::Tangential,        "great circles straight", 5.196, 2.000, 4.500, 31.1, "÷",          "÷ √"),
     (Projection::Adjusted,          "",                       1.414, 2.000, 2.000, 31.1, "atan",       "tan"),
     (Projection::Outerra,           "",                       3.566, 1.013, 3.088, 31.1, "iteration",  "÷ √"),
-    (Projection::Cobe,              "COBE data",              1.221, 2.365, 2.365, 31.1, "polynomial", "polynomial, misses by 2.9e-4"),
+    (Projection::Cobe,              "COBE data",              1.221, 2.366, 2.366, 31.1, "polynomial", "polynomial, misses by 2.9e-4"),
     (Projection::CobeExact,         "COBE data",              1.230, 2.383, 2.383, 31.1, "polynomial", "iteration"),
     (Projection::Quadrilateralized, "areas",                  1.000, 2.370, 2.370, 25.2, "polynomial", "polynomial"),
     (Projection::Cartesian,         "",                       1.333, 3.000, 3.000, 31.1, "÷ √",        "√"),
@@ -49,7 +49,8 @@ fn properties_are_as_measured_and_shown() {
             m.sphere.oversize(),
             m.sphere.worst.deformation().max(),
         ];
-        let tolerances = [6e-4, 6e-4, 6e-4, 6e-2];
+        // Half of the last digit that is shown.
+        let tolerances = [5e-4, 5e-4, 5e-4, 5e-2];
         for ((claimed, measured), tolerance) in [area, aspect, oversize, deformation]
             .into_iter()
             .zip(measured)
@@ -61,6 +62,7 @@ fn properties_are_as_measured_and_shown() {
             );
         }
         assert_eq!(m.is_equal_area(), keeps == "areas", "{projection}");
+        assert_eq!(m.has_two_kinds(), projection == Projection::Healpix, "{projection}");
         assert_eq!(m.sphere.is_conformal(), keeps == "angles", "{projection}");
         table += &format!(
             "| {projection} | {keeps} | {} | {} | {} | {:.1}° | {forward} | {inverse} |\n",

@@ -2,6 +2,7 @@
 
 use crate::distortion::{QUANTITIES, Quantity, face_size};
 use crate::globe::CELLS;
+use crate::indicatrix::ELLIPSES;
 use crate::legend::legend;
 use crate::page::{Shown, escaped};
 use crate::table::FIGURES;
@@ -29,7 +30,7 @@ pub fn article(shown: &Shown, size: u32) -> String {
 <figure><img class="globe" src="{globe}" width="{disc}" height="{disc}" alt="The globe, seen from above the Sahara, with the {CELLS} by {CELLS} grid of the {title} cube on the faces in sight." loading="lazy"></figure>
 </div>
 <div class="pictures">
-<figure><img src="{ellipses}" width="{width}" height="{height}" alt="The unfolded {title} cube with coasts and eight by eight ellipses on each face: small circles on the ground, all of one size, as they appear on the cube." loading="lazy">
+<figure><img src="{ellipses}" width="{width}" height="{height}" alt="The unfolded {title} cube with coasts and {ELLIPSES} by {ELLIPSES} ellipses on each face: small circles on the ground, all of one size, as they appear on the cube." loading="lazy">
 <figcaption>Circles on the ground, all of one size, as the cube shows them</figcaption></figure>
 <dl class="facts">
 {keeps}{figures}{forward}{inverse}</dl>

@@ -19,7 +19,7 @@ pub struct Quantity {
     /// In file names and ids.
     pub key: &'static str,
     pub name: &'static str,
-    /// How the maps of it are read.
+    /// How the maps of it are read, in the page's language.
     pub reading: &'static str,
     pub scale: Scale,
     value: fn(&Units, &Jacobian<f64>) -> f64,
@@ -40,7 +40,7 @@ pub const QUANTITIES: &[Quantity] = &[
     Quantity {
         key: "aspect",
         name: "Aspect",
-        reading: "Width over height of a texel on the ground, δ_aspect. White is as wide as high; orange is wider, blue is higher.",
+        reading: "Width over height of a texel on the ground, δ<sub>aspect</sub>. White is as wide as high; orange is wider, blue is higher.",
         scale: Scale::Ratio(1),
         value: |_, texel| texel.aspect(),
         range: |s| format!("{:.2} – {:.2}", s.worst.aspect().min(), s.worst.aspect().max()),
@@ -48,7 +48,7 @@ pub const QUANTITIES: &[Quantity] = &[
     Quantity {
         key: "sides",
         name: "Width × height",
-        reading: "Width times height of a texel on the ground over that of the texel in the middle of the front, δ_area. White is as large \
+        reading: "Width times height of a texel on the ground over that of the texel in the middle of the front, δ<sub>area</sub>. White is as large \
                   as there; orange is larger, blue is smaller. Where the grid is askew it is more than the texel’s area.",
         scale: Scale::Ratio(2),
         value: |units, texel| texel.sides() / units.central,
@@ -92,6 +92,9 @@ pub const fn face_size(size: u32) -> u32 {
     size * 5 / 16 * 2
 }
 
+/// How far from the diagonals the pixels on them are measured, so that all are on one side of a crease.
+const ASIDE: f64 = 1e-6;
+
 /// The pens of lines on a scale.
 struct Pens {
     coast: Pen,
@@ -129,7 +132,7 @@ pub fn draw(
     let texels = FACES.map(|face| {
         let at = |index: u32| f64::from(2 * index + 1) / f64::from(size) - 1.0;
         (0..size * size)
-            .map(|index| texel(&ground, face, [at(index % size), -at(index / size)]))
+            .map(|index| texel(&ground, face, [at(index % size), ASIDE - at(index / size)]))
             .collect::<Vec<_>>()
     });
     QUANTITIES

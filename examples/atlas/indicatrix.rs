@@ -12,11 +12,14 @@ use crate::measure::{sphere, texel};
 /// The edge of a face in the picture's units: fine enough for whole numbers.
 const FACE: u32 = 800;
 
+/// Around the cube, for what is larger than its cell.
+const MARGIN: u32 = 24;
+
 /// Ellipses along the edge of a face. Even: none is on a midline.
-const ELLIPSES: u32 = 8;
+pub const ELLIPSES: u32 = 6;
 
 /// Radius of an ellipse that is not deformed, over the distance to the next.
-const RADIUS: f64 = 0.36;
+const RADIUS: f64 = 0.27;
 
 /// Steps of a coast that are shorter are left out.
 const SHORTEST: f32 = 3.0;
@@ -24,10 +27,11 @@ const SHORTEST: f32 = 3.0;
 /// Draws the unfolded cube.
 pub fn svg(map: &CubeMap<f64, Projection>, coastline: &[Line]) -> String {
     let coast = pieces(map, coastline, FACE);
-    let (width, height) = (4 * FACE, 3 * FACE);
-    let mut text = format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\">\n");
-    text += "<style>rect{fill:#131d2c;stroke:#3a4659;stroke-width:3}.coast{fill:none;stroke:#8fa3bf;stroke-width:3.2;\
-             stroke-linejoin:round;stroke-linecap:round}ellipse{fill:#f0c878;fill-opacity:.3;stroke:#f0c878;stroke-width:4}</style>\n";
+    let (width, height) = (4 * FACE + 2 * MARGIN, 3 * FACE + 2 * MARGIN);
+    let mut text =
+        format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-{MARGIN} -{MARGIN} {width} {height}\">\n");
+    text += "<style>rect{fill:#131d2c;stroke:#3a4659;stroke-width:3}.coast{fill:none;stroke:#a9bbd4;stroke-width:3.4;\
+             stroke-linejoin:round;stroke-linecap:round}ellipse{fill:#f0c878;fill-opacity:.2;stroke:#f0c878;stroke-width:4}</style>\n";
     for face in Face::ALL {
         let (column, row) = cell(face);
         let (x, y) = (column * FACE, row * FACE);

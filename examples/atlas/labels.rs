@@ -12,8 +12,8 @@ pub struct Label<'a> {
     pub leader: Option<[f64; 2]>,
 }
 
-/// Width and height of a letter, with what is around it.
-const LETTER: [f64; 2] = [7.4, 18.0];
+/// Height of a name, with what is around it.
+const HEIGHT: f64 = 18.0;
 
 /// From a point to its name, from near to far.
 const DISTANCES: [f64; 10] = [9.0, 20.0, 32.0, 45.0, 60.0, 76.0, 94.0, 114.0, 136.0, 160.0];
@@ -37,9 +37,10 @@ const DIRECTIONS: [[f64; 2]; 12] = [
     [-0.5, 1.0],
 ];
 
-/// Half the side of the box around a point, and around a place on a line.
+/// Half the side of the box around a point, around a place on a line, and around a point to which a name close by would seem to belong.
 const POINT: f64 = 6.0;
 const STROKE: f64 = 2.0;
+const VICINITY: f64 = 16.0;
 
 /// Finds places for names at points, within a frame and clear of what is taken already.
 pub fn place<'a>(points: &[([f64; 2], &'a str)], frame: Area, taken: &[Area]) -> Vec<Label<'a>> {
@@ -53,10 +54,11 @@ pub fn place<'a>(points: &[([f64; 2], &'a str)], frame: Area, taken: &[Area]) ->
         let is_free = |&(area, leader): &(Area, Option<[f64; 2]>)| {
             let inside = area[0] > frame[0] && area[1] > frame[1] && area[2] < frame[2] && area[3] < frame[3];
             let line = leader.map(|end| along(point, end)).unwrap_or_default();
-            inside
-                && taken
-                    .iter()
-                    .all(|&other| !overlap(area, other) && line.iter().all(|&part| !overlap(part, other)))
+            let is_clear = |&other: &Area| !overlap(area, other) && line.iter().all(|&part| !overlap(part, other));
+            let is_far = |&(other, _): &([f64; 2], &str)| {
+                leader.is_some() || other == point || !overlap(area, around(other, VICINITY))
+            };
+            inside && taken.iter().all(is_clear) && points.iter().all(is_far)
         };
         let Some((area, leader)) = places.clone().find(is_free).or_else(|| places.clone().next()) else {
             continue;
@@ -74,7 +76,7 @@ pub fn place<'a>(points: &[([f64; 2], &'a str)], frame: Area, taken: &[Area]) ->
 
 /// The box of a name in a direction from a point, and the end of a line to it.
 fn beside(point: [f64; 2], text: &str, distance: f64, direction: [f64; 2]) -> (Area, Option<[f64; 2]>) {
-    let half = [0.5 * (LETTER[0] * text.chars().count() as f64 + 4.0), 0.5 * LETTER[1]];
+    let half = [0.5 * width(text), 0.5 * HEIGHT];
     let end: [f64; 2] = std::array::from_fn(|i| point[i] + distance * direction[i]);
     let middle: [f64; 2] =
         std::array::from_fn(|i| end[i] + half[i] * direction[i].signum() * f64::from(direction[i] != 0.0));
@@ -85,6 +87,16 @@ fn beside(point: [f64; 2], text: &str, distance: f64, direction: [f64; 2]) -> (A
         middle[1] + half[1],
     ];
     (area, (distance > BESIDE).then_some(end))
+}
+
+/// The width of a name in letters 14 high, rather too wide than too narrow.
+fn width(text: &str) -> f64 {
+    let letter = |c: char| match c {
+        'i' | 'l' | 'j' | 't' | 'f' | 'r' | ' ' | ',' | '-' => 5.5,
+        c if c.is_lowercase() => 8.6,
+        _ => 10.0,
+    };
+    text.chars().map(letter).sum::<f64>() + 4.0
 }
 
 /// Boxes along a line that leaves a point, from outside the point's own box.

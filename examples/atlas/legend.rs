@@ -56,7 +56,8 @@ fn symbol(quantity: &Quantity) -> String {
         let (from, to, below) = (1.0, thickness + 5.0, thickness + 19.0);
         let _ = writeln!(
             text,
-            "<path d=\"M{x:.1} {from}V{to}\"/><text x=\"{x:.1}\" y=\"{below}\">{}</text>",
+            "<path d=\"M{x:.1} {from}V{to}\" stroke=\"currentColor\"/>\
+             <text x=\"{x:.1}\" y=\"{below}\" fill=\"currentColor\" text-anchor=\"middle\">{}</text>",
             tick.label
         );
     }

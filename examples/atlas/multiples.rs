@@ -15,7 +15,7 @@ pub fn section(shown: &[Shown]) -> String {
         r##"<section aria-labelledby="side-by-side">
 <h2 id="side-by-side">Side by side</h2>
 <p>One face of every cube, coloured by what happens to a small texel, or cell of the grid, there. In each of the four sets a colour means the same for every projection.
-The thin lines join places of one value: a factor of 2^¼, or 19 %, from line to line, the thicker one at 1; 5 degrees for angles. So a face
+The thin lines join places of one value: 19&nbsp;% more (the fourth root of 2) from line to line, the thicker one at 1, and 5 degrees more for angles. So a face
 that is all one colour treats its cells alike, and many lines close together are a steep change.</p>
 <p>The face is the front, around 0° N 0° E, and the others of a cube are like it. Only HEALPix has two kinds, and its top is shown too.</p>
 {quantities}</section>

@@ -109,7 +109,7 @@ impl Chart {
     }
 
     /// The points with their names, clear of what is taken.
-    fn points(&self, shown: &[Shown], mut taken: Vec<Area>) -> String {
+    fn points(&self, shown: &[Shown], taken: &[Area]) -> String {
         let titles: Vec<String> = shown.iter().map(Shown::title).collect();
         let mut points: Vec<_> = shown
             .iter()
@@ -136,12 +136,18 @@ impl Chart {
                     "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\"/>"
                 ),
             };
-            if beyond[0] || beyond[1] {
-                taken.push(around([x, y], 15.0));
-            }
         }
-        let named: Vec<_> = points.iter().map(|&(at, title, ..)| (at, title)).collect();
-        for (label, &(from, _, own, _)) in place(&named, PLOT, &taken).iter().zip(&points) {
+        // An arrow is behind its tip.
+        let middle = |[x, y]: [f64; 2], beyond: [bool; 2]| match beyond {
+            [true, _] => [x - 7.0, y],
+            [_, true] => [x, y + 7.0],
+            _ => [x, y],
+        };
+        let named: Vec<_> = points
+            .iter()
+            .map(|&(at, title, _, beyond)| (middle(at, beyond), title))
+            .collect();
+        for (label, &(from, _, own, _)) in place(&named, PLOT, taken).iter().zip(&points) {
             if let Some(end) = label.leader {
                 let _ = writeln!(text, "<path class=\"leader\" d=\"{}\"/>", polyline(&[from, end]));
             }
@@ -162,7 +168,7 @@ impl Chart {
             "<svg class=\"chart\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{}\">\n{}{background}{}</svg>\n",
             escaped(description),
             self.axes(),
-            self.points(shown, taken)
+            self.points(shown, &taken)
         )
     }
 }
@@ -199,17 +205,17 @@ pub fn texels(shown: &[Shown]) -> String {
         polyline(&front)
     );
     let mut taken = Vec::new();
-    for oversize in [1.5, 2.0, 3.0] {
+    for oversize in [2.0, 3.0] {
         let corner = chart.line(&[[1.0, oversize], [oversize, oversize], [oversize, 1.0]]);
         let [x, y] = corner[1];
         let _ = writeln!(
             background,
-            "<path class=\"even\" d=\"{}\"/><text class=\"tick\" x=\"{}\" y=\"{}\">ε = {oversize}</text>",
+            "<path class=\"even\" d=\"{}\"/><text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"end\">ε = {oversize}</text>",
             polyline(&corner),
-            x + 6.0,
-            y - 5.0
+            x - 6.0,
+            y + 16.0
         );
-        taken.push([x + 4.0, y - 20.0, x + 56.0, y]);
+        taken.push([x - 58.0, y, x, y + 20.0]);
         taken.extend(corner.windows(2).flat_map(|ends| boxes(ends[0], ends[1])));
     }
     let note = chart.at(1.012, 1.025);

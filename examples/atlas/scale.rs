@@ -1,9 +1,9 @@
 //! From a value to its place on a scale, and to a colour.
 //!
-//! Ratios lie about 1 on a logarithm, so their colours diverge: from near white to orange above and to blue below. Both arms are straight
-//! lines in Oklab, of one length and one fall of lightness: equal steps look equal, lightness alone says how far from 1 a value is, and blue
-//! and orange are told apart by every kind of colour vision. Of the ready-made diverging maps at hand the steps differ by a factor of 2.5
-//! from place to place. Angles begin at 0 and take cividis, which was made to be uniform and to look alike with and without red-green
+//! Ratios lie about 1 on a logarithm, so their colours diverge: from near white through orange to brown above, and through sky to dark blue
+//! below. Both arms go through Oklab at one pace, with the same fall of lightness: equal steps look equal, lightness alone says how far from
+//! 1 a value is, and blue and orange are told apart by every kind of colour vision. In the ready-made purple to orange the steps differ by a factor of 2.5
+//! from place to place, and its arms by their lightness. Angles begin at 0 and take cividis, which was made to be uniform and to look alike with and without red-green
 //! blindness.
 
 use colorous::CIVIDIS;
@@ -109,14 +109,27 @@ impl Scale {
 type Oklab = [f64; 3];
 
 const MIDDLE: Oklab = [0.97, 0.0, 0.0];
-const ORANGE: Oklab = [0.48, 0.078, 0.094];
-const BLUE: Oklab = [0.48, -0.042, -0.115];
+const ORANGE: [Oklab; 2] = [[0.70, 0.080, 0.115], [0.38, 0.065, 0.076]];
+const BLUE: [Oklab; 2] = [[0.70, -0.052, -0.130], [0.38, -0.034, -0.094]];
 
-/// The colour of a place from −1 to 1.
+/// The colour of a place from −1 to 1: along the two sides of an arm at one pace.
 fn diverging(place: f64) -> [u8; 3] {
-    let end = if place < 0.0 { BLUE } else { ORANGE };
-    let color: Oklab = std::array::from_fn(|i| MIDDLE[i] + place.abs() * (end[i] - MIDDLE[i]));
-    srgb(color)
+    let [bright, dark] = if place < 0.0 { BLUE } else { ORANGE };
+    let (first, second) = (distance(MIDDLE, bright), distance(bright, dark));
+    let way = place.abs() * (first + second);
+    srgb(if way < first {
+        between(MIDDLE, bright, way / first)
+    } else {
+        between(bright, dark, (way - first) / second)
+    })
+}
+
+fn distance(from: Oklab, to: Oklab) -> f64 {
+    (0..3).map(|i| (to[i] - from[i]).powi(2)).sum::<f64>().sqrt()
+}
+
+fn between(from: Oklab, to: Oklab, part: f64) -> Oklab {
+    std::array::from_fn(|i| from[i] + part * (to[i] - from[i]))
 }
 
 /// Ottosson, *A perceptual color space for image processing* (2020).

@@ -128,8 +128,8 @@ pub const FIGURES: &[Figure] = &[
         best: Best::Least,
     },
     Figure {
-        group: "Texture",
-        short: "over­size ε",
+        group: "Oversize",
+        short: "ε",
         name: "Oversize ε",
         meaning: "the larger of the aspect ratio and the width × height ratio: ε of Dimitrijević, Lambers and Rančić (2016), how much \
                   finer a texture must be than cells all alike would need",
@@ -271,7 +271,7 @@ fn rows(shown: &Shown, all: &[Shown]) -> String {
 fn row(class: &str, heading: &str, figures: &str, shown: &Shown) -> String {
     let [forward, inverse] = shown.methods();
     format!(
-        "<tr{class}>{heading}<td>{}</td>{figures}<td>{forward}</td><td>{inverse}</td></tr>\n",
+        "<tr{class}>{heading}<td>{}</td>{figures}<td class=\"method\">{forward}</td><td class=\"method\">{inverse}</td></tr>\n",
         shown.keeps()
     )
 }
