@@ -90,3 +90,13 @@ fn creases_are_where_they_should_be() {
         "quadrilateralized is creased along the diagonals"
     );
 }
+
+#[test]
+fn texels_of_equal_area_cubes_are_askew() {
+    let [quadrilateralized, healpix] = [Projection::Quadrilateralized, Projection::Healpix].map(measure::Measures::of);
+    let near = |measured: f64, exact: f64| assert!((measured - exact).abs() < 1e-6, "{measured} {exact}");
+    near(quadrilateralized.sphere.sides_ratio(), 1.041_903);
+    let [side, polar] = healpix.kinds.map(|surveys| surveys.sides_ratio());
+    near(side, 1.0);
+    near(polar, (1.0 + std::f64::consts::PI.powi(2) / 16.0).sqrt());
+}

@@ -31,7 +31,7 @@ pub fn article(shown: &Shown, size: u32) -> String {
 </div>
 <div class="pictures">
 <figure><img src="{ellipses}" width="{width}" height="{height}" alt="The unfolded {title} cube with coasts and {ELLIPSES} by {ELLIPSES} ellipses on each face: small circles on the ground, all of one size, as they appear on the cube." loading="lazy">
-<figcaption>Circles on the ground, all of one size, as the cube shows them</figcaption></figure>
+<figcaption>Circles on the ground, all of one size, as the cube shows them; on a crease each side has its own half</figcaption></figure>
 <dl class="facts">
 {keeps}{figures}{forward}{inverse}</dl>
 </div>

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use terrella::cube::{CubeMap, Face, Projection};
-use terrella::distortion::Jacobian;
+use terrella::distortion::{Ground, Jacobian};
 
 use crate::cross::{cell, on, pieces};
 use crate::geography::Line;
@@ -21,8 +21,14 @@ pub const ELLIPSES: u32 = 6;
 /// Radius of an ellipse that is not deformed, over the distance to the next.
 const RADIUS: f64 = 0.27;
 
+/// How far from a place its sides are measured.
+const BESIDE: f64 = 1e-6;
+
+/// Corners of what is drawn on a crease: four of them on it.
+const CORNERS: u32 = 48;
+
 /// Steps of a coast that are shorter are left out.
-const SHORTEST: f32 = 3.0;
+const SHORTEST: f32 = 4.0;
 
 /// Draws the unfolded cube.
 pub fn svg(map: &CubeMap<f64, Projection>, coastline: &[Line]) -> String {
@@ -30,8 +36,9 @@ pub fn svg(map: &CubeMap<f64, Projection>, coastline: &[Line]) -> String {
     let (width, height) = (4 * FACE + 2 * MARGIN, 3 * FACE + 2 * MARGIN);
     let mut text =
         format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-{MARGIN} -{MARGIN} {width} {height}\">\n");
-    text += "<style>rect{fill:#131d2c;stroke:#3a4659;stroke-width:3}.coast{fill:none;stroke:#a9bbd4;stroke-width:3.4;\
-             stroke-linejoin:round;stroke-linecap:round}ellipse{fill:#f0c878;fill-opacity:.2;stroke:#f0c878;stroke-width:4}</style>\n";
+    text += "<style>rect{fill:#131d2c;stroke:#3a4659;stroke-width:3}\
+             path,ellipse{fill:#f0c878;fill-opacity:.2;stroke:#f0c878;stroke-width:4;stroke-linejoin:round}\
+             .coast{fill:none;stroke:#a9bbd4;stroke-width:3.4}</style>\n";
     for face in Face::ALL {
         let (column, row) = cell(face);
         let (x, y) = (column * FACE, row * FACE);
@@ -55,11 +62,35 @@ fn ellipses(projection: Projection, face: Face) -> String {
     let circle = RADIUS * 2.0 / f64::from(ELLIPSES) * ground.unit();
     let at = |index: u32| f64::from(2 * index + 1) / f64::from(ELLIPSES) - 1.0;
     (0..ELLIPSES * ELLIPSES)
-        .filter_map(|index| {
-            let point = [at(index % ELLIPSES), at(index / ELLIPSES)];
-            Some(ellipse(point, circle, &texel(&ground, face, point)?))
-        })
+        .filter_map(|index| indicatrix(&ground, face, [at(index % ELLIPSES), at(index / ELLIPSES)], circle))
         .collect()
+}
+
+/// What a circle on the ground, of a radius in metres, becomes: an ellipse, or on a crease one part of an ellipse on each side.
+fn indicatrix(ground: &Ground<f64, Projection>, face: Face, [x, y]: [f64; 2], circle: f64) -> Option<String> {
+    let beside = |[right, up]: [f64; 2]| texel(ground, face, [x + BESIDE * right, y + BESIDE * up]);
+    let first = beside([1.0, 0.0])?;
+    let is_creased = [[-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]]
+        .into_iter()
+        .filter_map(beside)
+        .any(|other| (other.aspect() / first.aspect() - 1.0).abs() > 1e-3);
+    if !is_creased {
+        return Some(ellipse([x, y], circle, &first));
+    }
+    let half = f64::from(FACE) / 2.0;
+    let corner = |index: u32| {
+        let (up, right) = (f64::from(index) / f64::from(CORNERS) * std::f64::consts::TAU).sin_cos();
+        let texel = beside([right, up])?;
+        let step: [f64; 2] = std::array::from_fn(|i| right * texel.by_x[i] + up * texel.by_y[i]);
+        let far = circle / f64::hypot(step[0], step[1]);
+        Some(format!(
+            "{:.1} {:.1}",
+            half * (1.0 + x + far * right),
+            half * (1.0 - y - far * up)
+        ))
+    };
+    let corners: Vec<_> = (0..CORNERS).filter_map(corner).collect();
+    Some(format!("<path d=\"M{}Z\"/>\n", corners.join("L")))
 }
 
 /// The ellipse of a circle on the ground, of a radius in metres: where the texel's lengths are least it is longest.

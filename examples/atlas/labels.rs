@@ -15,14 +15,13 @@ pub struct Label<'a> {
 /// Height of a name, with what is around it.
 const HEIGHT: f64 = 18.0;
 
-/// From a point to its name, from near to far.
-const DISTANCES: [f64; 10] = [9.0, 20.0, 32.0, 45.0, 60.0, 76.0, 94.0, 114.0, 136.0, 160.0];
+/// From a point to its name beside it, and to one at the end of a line, from near to far.
+const BESIDE: f64 = 9.0;
+const AWAY: [f64; 9] = [20.0, 32.0, 45.0, 60.0, 76.0, 94.0, 114.0, 136.0, 160.0];
 
-/// Names at such a distance need a line.
-const BESIDE: f64 = 15.0;
-
-/// Directions in the order in which they are liked.
-const DIRECTIONS: [[f64; 2]; 12] = [
+/// Directions in the order in which they are liked: for names beside their points, and for the others. Points come from the right, so
+/// that lines that lean to the right leave room for the next.
+const DIRECTIONS: [[f64; 2]; 8] = [
     [1.0, 0.0],
     [1.0, -0.7],
     [1.0, 0.7],
@@ -31,8 +30,14 @@ const DIRECTIONS: [[f64; 2]; 12] = [
     [-1.0, 0.7],
     [0.0, -1.0],
     [0.0, 1.0],
+];
+const LEANING: [[f64; 2]; 8] = [
     [0.5, -1.0],
     [0.5, 1.0],
+    [0.0, -1.0],
+    [0.0, 1.0],
+    [1.0, -0.7],
+    [1.0, 0.7],
     [-0.5, -1.0],
     [-0.5, 1.0],
 ];
@@ -48,9 +53,15 @@ pub fn place<'a>(points: &[([f64; 2], &'a str)], frame: Area, taken: &[Area]) ->
     taken.extend(points.iter().map(|&(point, _)| around(point, POINT)));
     let mut labels = Vec::new();
     for &(point, text) in points {
-        let places = DISTANCES
-            .iter()
-            .flat_map(|&distance| DIRECTIONS.map(|direction| beside(point, text, distance, direction)));
+        let places: Vec<_> = DIRECTIONS
+            .map(|direction| (BESIDE, direction))
+            .into_iter()
+            .chain(
+                AWAY.into_iter()
+                    .flat_map(|distance| LEANING.map(|direction| (distance, direction))),
+            )
+            .map(|(distance, direction)| beside(point, text, distance, direction))
+            .collect();
         let is_free = |&(area, leader): &(Area, Option<[f64; 2]>)| {
             let inside = area[0] > frame[0] && area[1] > frame[1] && area[2] < frame[2] && area[3] < frame[3];
             let line = leader.map(|end| along(point, end)).unwrap_or_default();
@@ -60,7 +71,8 @@ pub fn place<'a>(points: &[([f64; 2], &'a str)], frame: Area, taken: &[Area]) ->
             };
             inside && taken.iter().all(is_clear) && points.iter().all(is_far)
         };
-        let Some((area, leader)) = places.clone().find(is_free).or_else(|| places.clone().next()) else {
+        // Where there is no room at all, names overlap.
+        let Some(&(area, leader)) = places.iter().find(|&place| is_free(place)).or(places.first()) else {
             continue;
         };
         taken.push(area);

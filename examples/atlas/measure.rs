@@ -6,7 +6,7 @@ use terrella::{Ellipsoid, Shift};
 
 /// Columns of places that are measured on a face. None of them is on a midline, and with two more rows none is on a diagonal: the
 /// places where a projection may be creased are seen from both sides, or not at all.
-const COLUMNS: u32 = 400;
+const COLUMNS: u32 = 300;
 
 /// How far from a crease its sides are measured.
 const BESIDE: f64 = 1e-9;

@@ -139,7 +139,7 @@ impl Chart {
         }
         // An arrow is behind its tip.
         let middle = |[x, y]: [f64; 2], beyond: [bool; 2]| match beyond {
-            [true, _] => [x - 7.0, y],
+            [true, _] => [x - 10.0, y],
             [_, true] => [x, y + 7.0],
             _ => [x, y],
         };

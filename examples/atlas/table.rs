@@ -271,7 +271,7 @@ fn rows(shown: &Shown, all: &[Shown]) -> String {
 fn row(class: &str, heading: &str, figures: &str, shown: &Shown) -> String {
     let [forward, inverse] = shown.methods();
     format!(
-        "<tr{class}>{heading}<td>{}</td>{figures}<td class=\"method\">{forward}</td><td class=\"method\">{inverse}</td></tr>\n",
+        "<tr{class}>{heading}<td>{}</td>{figures}<td>{forward}</td><td>{inverse}</td></tr>\n",
         shown.keeps()
     )
 }
