@@ -29,7 +29,7 @@ const EDGE: Pen = Pen::new([255, 255, 255, 80], 1.2);
 const STEP: f64 = 3.0;
 
 /// Column and row of a face on the cross.
-const fn cell(face: Face) -> (u32, u32) {
+pub const fn cell(face: Face) -> (u32, u32) {
     match face {
         Face::Top => (1, 0),
         Face::Left => (0, 1),
@@ -103,10 +103,10 @@ fn paint(map: &CubeMap<f64, Projection>, imagery: &Imagery, face: Face, pixmap: 
     }
 }
 
-/// A line on one face, in pixels.
-type FaceLine = (Face, Vec<[f32; 2]>);
+/// A line on one face, in pixels of a square.
+pub type FaceLine = (Face, Vec<[f32; 2]>);
 
-fn pieces(map: &CubeMap<f64, Projection>, lines: &[Line], size: u32) -> Vec<FaceLine> {
+pub fn pieces(map: &CubeMap<f64, Projection>, lines: &[Line], size: u32) -> Vec<FaceLine> {
     let half = f64::from(size) / 2.0;
     let curve = |line: &Line, t: f64| {
         let point = map.project(line.at(t));
@@ -120,7 +120,7 @@ fn pieces(map: &CubeMap<f64, Projection>, lines: &[Line], size: u32) -> Vec<Face
         .collect()
 }
 
-fn on(face: Face, lines: &[FaceLine]) -> impl Iterator<Item = &[[f32; 2]]> {
+pub fn on(face: Face, lines: &[FaceLine]) -> impl Iterator<Item = &[[f32; 2]]> {
     lines
         .iter()
         .filter(move |(on, _)| *on == face)

@@ -5,19 +5,29 @@
 // Pixels and vertices are addressed by index; the bounds come from the loops around them.
 #![allow(clippy::indexing_slicing)]
 
+mod article;
 mod catalogue;
 mod cli;
+mod contour;
 mod cross;
+mod distortion;
 #[path = "../options/ellipsoid.rs"]
 mod ellipsoid;
 mod geography;
 mod globe;
 mod imagery;
+mod indicatrix;
+mod labels;
+mod legend;
 mod measure;
+mod multiples;
 #[path = "../options/outcome.rs"]
 mod outcome;
 mod page;
+mod pareto;
 mod pen;
+mod scale;
+mod table;
 mod trace;
 
 use std::fs::{self, File};
@@ -33,11 +43,15 @@ use terrella::cube::{CubeMap, Face, Projection};
 
 use cli::Options;
 use cross::Geography;
+use distortion::Quantity;
 use globe::Globe;
 use imagery::Imagery;
 use page::Shown;
 
 const JPEG_QUALITY: u8 = 88;
+
+/// Steps of progress for a projection when its faces are drawn: globe, distortion, figures.
+const STEPS_AFTER_FACES: usize = 3;
 
 fn main() -> ExitCode {
     let done = match cli::parse() {
@@ -63,7 +77,7 @@ fn atlas(options: &Options) -> Result<String, String> {
     };
     fs::create_dir_all(&options.out).map_err(|error| cannot("create the folder", &options.out, &error))?;
 
-    let steps = maps.len() * (Face::ALL.len() + 1);
+    let steps = maps.len() * (Face::ALL.len() + STEPS_AFTER_FACES);
     let progress = ProgressBar::new(u64::try_from(steps).unwrap_or(u64::MAX));
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}") {
         progress.set_style(style);
@@ -78,7 +92,16 @@ fn atlas(options: &Options) -> Result<String, String> {
             save(&cross, &options.out.join(cross_file(projection)))?;
             save(&globe.with_grid(map), &options.out.join(globe_file(projection)))?;
             progress.inc(1);
-            Ok(Shown::of(map))
+            for (quantity, picture) in distortion::draw(map, &geography.coastline, options.size)? {
+                save(&picture, &options.out.join(map_file(projection, quantity)))?;
+            }
+            let ellipses = options.out.join(ellipses_file(projection));
+            fs::write(&ellipses, indicatrix::svg(map, &geography.coastline))
+                .map_err(|error| cannot("write", &ellipses, &error))?;
+            progress.inc(1);
+            let shown = Shown::of(map);
+            progress.inc(1);
+            Ok(shown)
         })
         .collect::<Result<Vec<_>, String>>()?;
     progress.finish_and_clear();
@@ -96,6 +119,16 @@ fn cross_file(projection: Projection) -> String {
 /// The picture of a projection's grid on the globe.
 fn globe_file(projection: Projection) -> String {
     format!("{projection}-globe.jpg")
+}
+
+/// The picture of a quantity on two faces.
+fn map_file(projection: Projection, quantity: &Quantity) -> String {
+    format!("{projection}-{}.jpg", quantity.key)
+}
+
+/// The picture of Tissot's ellipses.
+fn ellipses_file(projection: Projection) -> String {
+    format!("{projection}-ellipses.svg")
 }
 
 fn save(picture: &RgbImage, path: &Path) -> Result<(), String> {

@@ -1,167 +1,184 @@
-//! What a projection does to shapes and sizes, measured on the sphere by differences over a tiny step.
+//! What a projection does to shapes and sizes, measured on the sphere: surveys by the crate, and the bends of grid lines.
 
-use terrella::cube::{CubeProjection, Edge, Face, FacePoint, Projection};
+use terrella::cube::{CubeMap, Edge, Face, FacePoint, Projection};
+use terrella::distortion::{Ground, Jacobian, Survey};
+use terrella::{Ellipsoid, Shift};
 
-/// Half the step of a difference: the square root of the rounding of a coordinate, about.
-const STEP: f64 = 1e-8;
+/// Columns of places that are measured on a face. None of them is on a midline, and with two more rows none is on a diagonal: the
+/// places where a projection may be creased are seen from both sides, or not at all.
+const COLUMNS: u32 = 300;
 
 /// How far from a crease its sides are measured.
-const BESIDE: f64 = 1e-7;
-
-/// Points along a side of each triangle that is searched.
-const POINTS: u32 = 180;
+const BESIDE: f64 = 1e-9;
 
 /// A projection in numbers.
 pub struct Measures {
-    /// Ground area of a cell: that of the largest over that of the smallest.
-    pub area_ratio: f64,
-    /// Width over height of a cell on the ground, along the grid: smallest and largest.
-    pub aspect: [f64; 2],
-    /// The larger of the aspect's ratio and that of width times height.
-    pub oversize: f64,
-    /// Largest change of an angle, in degrees.
-    pub deformation: f64,
+    /// The whole sphere.
+    pub sphere: Surveys,
+    /// A face around the equator, and one around a pole.
+    pub kinds: [Surveys; 2],
     /// Largest turn of a grid line on the ground inside a face, in degrees.
     pub inner_bend: f64,
     /// Largest turn of a grid line on the ground from face to face, in degrees.
     pub edge_bend: f64,
 }
 
-impl Measures {
-    /// Measures a projection on the front and the top, for all side faces are alike and so are both polar ones.
-    pub fn of(projection: Projection) -> Self {
-        let mut area = Range::EMPTY;
-        let mut aspect = Range::EMPTY;
-        let mut sides = Range::EMPTY;
-        let mut deformation = Range::EMPTY;
-        for face in [Face::Front, Face::Top] {
-            for [x, y] in quarter() {
-                let [a, b] = slopes(projection, face, [x, y]);
-                let (width, height, cell) = (length(a), length(b), length(cross(a, b)));
-                area.include(cell);
-                aspect.include(width / height);
-                sides.include(width * height);
-                deformation.include(angular_deformation(width, height, cell));
-            }
-        }
-        let deformation = deformation.max;
-        let conformal = deformation < CONFORMAL;
+/// The same ground twice.
+#[derive(Clone, Copy)]
+pub struct Surveys {
+    /// Evenly: for means.
+    pub usual: Survey<f64>,
+    /// Along edges and creases too: for extremes.
+    pub worst: Survey<f64>,
+}
+
+impl Surveys {
+    fn new(ground: &Ground<f64, Projection>) -> Self {
+        let none = Survey::new(ground.central_texel());
         Self {
-            // Where three right angles of the cube fill a whole turn of the sphere, angles are kept by vanishing cells only.
-            area_ratio: if conformal { f64::INFINITY } else { area.ratio() },
-            aspect: [aspect.min, aspect.max],
-            oversize: if conformal {
-                f64::INFINITY
-            } else {
-                aspect.ratio().max(sides.ratio())
-            },
-            deformation,
-            inner_bend: inner_bend(projection),
-            edge_bend: edge_bend(projection),
+            usual: none,
+            worst: none,
         }
     }
 
-    /// Largest over smallest ratio of width to height.
-    pub fn aspect_ratio(&self) -> f64 {
-        self.aspect[1] / self.aspect[0]
+    fn of(ground: &Ground<f64, Projection>, face: Face) -> Self {
+        let mut surveys = Self::new(ground);
+        let include = |survey: &mut Survey<f64>, [x, y]: [f64; 2]| {
+            if let Ok(point) = FacePoint::new(face, x, y)
+                && let Ok(texel) = ground.jacobian(point)
+            {
+                survey.include(point, &texel);
+            }
+        };
+        let middle = |index: u32, count: u32| f64::from(2 * index + 1) / f64::from(count) - 1.0;
+        for row in 0..COLUMNS + 2 {
+            for column in 0..COLUMNS {
+                let point = [middle(column, COLUMNS), middle(row, COLUMNS + 2)];
+                include(&mut surveys.usual, point);
+            }
+        }
+        surveys.worst = surveys.usual;
+        let coordinates = places_along().flat_map(|s| [s, -s]).chain([1.0, -1.0]);
+        for s in coordinates {
+            for aside in [BESIDE, -BESIDE] {
+                for point in [[s + aside, s], [s + aside, -s], [s, aside], [s, aside.signum()]] {
+                    include(&mut surveys.worst, point);
+                    include(&mut surveys.worst, [point[1], point[0]]);
+                }
+            }
+            include(&mut surveys.worst, [s, s.signum()]);
+        }
+        surveys
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.usual.merge(&other.usual);
+        self.worst.merge(&other.worst);
+    }
+
+    /// True area of the largest cell over that of the smallest.
+    pub fn area_ratio(&self) -> f64 {
+        self.unless_conformal(self.worst.area().ratio())
+    }
+
+    /// Width times height, largest over smallest.
+    pub fn sides_ratio(&self) -> f64 {
+        self.unless_conformal(self.worst.sides().ratio())
+    }
+
+    /// The paper's ε.
+    pub fn oversize(&self) -> f64 {
+        self.unless_conformal(self.worst.oversize())
+    }
+
+    /// Where three right angles of the cube fill a whole turn of the sphere, angles are kept by vanishing cells only, at a place that is
+    /// in no survey.
+    fn unless_conformal(&self, ratio: f64) -> f64 {
+        if self.is_conformal() { f64::INFINITY } else { ratio }
+    }
+
+    /// Whether angles are kept, up to rounding.
+    pub fn is_conformal(&self) -> bool {
+        self.worst.deformation().max() < 1e-6
+    }
+}
+
+impl Measures {
+    /// Measures a projection on the front and the top, for all side faces are alike and so are both polar ones.
+    pub fn of(projection: Projection) -> Self {
+        let ground = sphere(projection);
+        let kinds = [Face::Front, Face::Top].map(|face| Surveys::of(&ground, face));
+        let mut sphere = Surveys::new(&ground);
+        for face in Face::ALL {
+            sphere.merge(&kinds[usize::from(face.is_polar())]);
+        }
+        Self {
+            sphere,
+            kinds,
+            inner_bend: inner_bend(&ground),
+            edge_bend: edge_bend(&ground),
+        }
+    }
+
+    /// Whether a side face and a polar one differ.
+    pub fn has_two_kinds(&self) -> bool {
+        let [side, polar] = self.kinds.map(|surveys| surveys.worst.aspect().max());
+        (side - polar).abs() > 1e-9
     }
 
     /// Whether every cell covers the same area.
     pub fn is_equal_area(&self) -> bool {
-        self.area_ratio < 1.000_01
-    }
-
-    /// Whether angles are kept.
-    pub fn is_conformal(&self) -> bool {
-        self.deformation < CONFORMAL
+        self.sphere.area_ratio() < 1.0 + 1e-9
     }
 }
 
-/// Degrees of deformation that are rounding.
-const CONFORMAL: f64 = 0.01;
-
-struct Range {
-    min: f64,
-    max: f64,
+/// The sphere of radius 1 under the faces of a projection.
+pub fn sphere(projection: Projection) -> Ground<f64, Projection> {
+    let map = Ellipsoid::sphere(1.0)
+        .ok()
+        .and_then(|sphere| CubeMap::new(sphere, Shift::Geodetic, projection).ok());
+    Ground::new(map.unwrap_or_else(|| unreachable!("the unit sphere is an ellipsoid, with every latitude")))
 }
 
-impl Range {
-    const EMPTY: Self = Self {
-        min: f64::INFINITY,
-        max: f64::NEG_INFINITY,
-    };
-
-    fn include(&mut self, value: f64) {
-        self.min = self.min.min(value);
-        self.max = self.max.max(value);
-    }
-
-    fn ratio(&self) -> f64 {
-        self.max / self.min
-    }
-}
-
-/// Points of the upper right quarter of a face, close to its edges, diagonal and midlines but on none of them: there a
-/// projection may be creased.
-fn quarter() -> impl Iterator<Item = [f64; 2]> {
-    let along = |i: u32, from: f64, to: f64| from + (to - from) * f64::from(i) / f64::from(POINTS - 1);
-    (0..POINTS * POINTS).flat_map(move |index| {
-        let long = along(index / POINTS, 2e-3, 1.0 - 1e-6);
-        let short = long * along(index % POINTS, 1e-5, 1.0 - 1e-5);
-        [[long, short], [short, long]]
-    })
-}
-
-/// The derivatives of the unit vector by x and by y.
-fn slopes(projection: Projection, face: Face, [x, y]: [f64; 2]) -> [[f64; 3]; 2] {
-    let at = |x, y| FacePoint::new(face, x, y).map_or([f64::NAN; 3], |point| projection.unproject(point).to_array());
-    let slope = |from: [f64; 3], to: [f64; 3]| std::array::from_fn(|i| (to[i] - from[i]) / (2.0 * STEP));
-    [
-        slope(at(x - STEP, y), at(x + STEP, y)),
-        slope(at(x, y - STEP), at(x, y + STEP)),
-    ]
-}
-
-/// Tissot's ω in degrees, of a cell of these sides and this area: sin(ω/2) = (a − b)/(a + b) with the semi-axes a, b of the ellipse.
-fn angular_deformation(width: f64, height: f64, area: f64) -> f64 {
-    let squares = width * width + height * height;
-    let difference = (squares - 2.0 * area).max(0.0).sqrt();
-    let sum = (squares + 2.0 * area).sqrt();
-    2.0 * (difference / sum).asin().to_degrees()
+/// The texel at a place, unless it has none.
+pub fn texel(ground: &Ground<f64, Projection>, face: Face, [x, y]: [f64; 2]) -> Option<Jacobian<f64>> {
+    ground.jacobian(FacePoint::new(face, x, y).ok()?).ok()
 }
 
 /// The largest turn of a grid line at the diagonals and midlines of a face.
-fn inner_bend(projection: Projection) -> f64 {
-    let bend =
-        |face, from, to, axis: usize| turn(slopes(projection, face, from)[axis], slopes(projection, face, to)[axis]);
+fn inner_bend(ground: &Ground<f64, Projection>) -> f64 {
+    let bend = |face, from, to, line: fn(&Jacobian<f64>) -> [f64; 2]| {
+        Some(turn(line(&texel(ground, face, from)?), line(&texel(ground, face, to)?)))
+    };
     let (less, more) = (-BESIDE, BESIDE);
     [Face::Front, Face::Top]
         .into_iter()
         .flat_map(|face| places_along().map(move |s| (face, s)))
         .flat_map(|(face, s)| {
             [
-                bend(face, [s + less, s], [s + more, s], 0),
-                bend(face, [s, s + less], [s, s + more], 1),
-                bend(face, [less, s], [more, s], 0),
-                bend(face, [s, less], [s, more], 1),
+                bend(face, [s + less, s], [s + more, s], |texel| texel.by_x),
+                bend(face, [s, s + less], [s, s + more], |texel| texel.by_y),
+                bend(face, [less, s], [more, s], |texel| texel.by_x),
+                bend(face, [s, less], [s, more], |texel| texel.by_y),
             ]
         })
+        .flatten()
         .fold(0.0, f64::max)
 }
 
 /// The largest turn of a grid line between the front and its neighbours to the right and above.
-fn edge_bend(projection: Projection) -> f64 {
-    let (end, begin) = (1.0 - BESIDE, BESIDE - 1.0);
+fn edge_bend(ground: &Ground<f64, Projection>) -> f64 {
     let right = Face::Front.neighbour(Edge::Right).face;
     let above = Face::Front.neighbour(Edge::Up).face;
     places_along()
         .flat_map(|s| {
-            let [to_right, _] = slopes(projection, Face::Front, [end, s]);
-            let [from_left, _] = slopes(projection, right, [begin, s]);
-            let [_, up] = slopes(projection, Face::Front, [s, end]);
-            let [_, from_below] = slopes(projection, above, [s, begin]);
-            [turn(to_right, from_left), turn(up, from_below)]
+            let (from, to) = (texel(ground, Face::Front, [1.0, s]), texel(ground, right, [-1.0, s]));
+            let across = from.zip(to).map(|(from, to)| turn(from.by_x, to.by_x));
+            let (from, to) = (texel(ground, Face::Front, [s, 1.0]), texel(ground, above, [s, -1.0]));
+            let upward = from.zip(to).map(|(from, to)| turn(from.by_y, to.by_y));
+            [across, upward]
         })
+        .flatten()
         .fold(0.0, f64::max)
 }
 
@@ -170,20 +187,7 @@ fn places_along() -> impl Iterator<Item = f64> {
     (1..=1000).map(|i| f64::from(i) * 0.9999e-3)
 }
 
-/// The angle between two vectors, in degrees.
-fn turn(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    length(cross(a, b)).atan2(dot).to_degrees()
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn length(a: [f64; 3]) -> f64 {
-    (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).sqrt()
+/// The angle between two vectors to the east and to the north, in degrees.
+fn turn([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    (a * d - b * c).abs().atan2(a * c + b * d).to_degrees()
 }

@@ -1,5 +1,5 @@
 // The comparison is sorted by the heading that is pressed; pressed again, the other way round.
-for (const heading of document.querySelectorAll("thead th")) {
+for (const heading of document.querySelectorAll("thead tr:last-child th")) {
   const button = document.createElement("button");
   button.type = "button";
   button.append(...heading.childNodes);
