@@ -77,7 +77,7 @@ pub trait Real:
     #[must_use]
     fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self;
 
-    /// The same polynomial of the complex number x + iy, of at most 32 terms: real and imaginary part.
+    /// The same polynomial of the complex number x + iy, of at most 40 terms: real and imaginary part.
     #[must_use]
     #[inline(always)]
     fn complex_polynomial<const N: usize, const M: usize>(

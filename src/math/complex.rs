@@ -40,7 +40,7 @@ impl<T: Real> Complex<T> {
     }
 }
 
-/// A polynomial of x + iy with `terms` real coefficients, at most 32: real and imaginary part.
+/// A polynomial of x + iy with `terms` real coefficients, at most 40: real and imaginary part.
 ///
 /// Divided by the quadratic that the number and its conjugate are the roots of: two products a coefficient (Knuth, The Art of Computer
 /// Programming 2, 4.6.4, eq. 3).
@@ -49,8 +49,8 @@ pub(crate) fn complex_polynomial<T: Real>([x, y]: [T; 2], terms: usize, coeffici
     let (twice, norm) = (x + x, x * x + y * y);
     let (mut a, mut b) = (T::ZERO, T::ZERO);
     let mut i = terms;
-    repeat!(terms.div_ceil(4), {
-        repeat!((i - 1).min(4), {
+    repeat!(terms.div_ceil(5), {
+        repeat!((i - 1).min(5), {
             i -= 1;
             (a, b) = (coefficient(i) + (twice * a - norm * b), a);
         });
