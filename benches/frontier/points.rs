@@ -110,7 +110,9 @@ pub fn directions(order: Order, n: usize) -> Directions {
         }
         Order::Scan => {
             let points = face_points(order, n);
-            (0..n).map(|i| gnomonic(points.face[i], points.x[i], points.y[i])).collect()
+            (0..n)
+                .map(|i| gnomonic(points.face[i], points.x[i], points.y[i]))
+                .collect()
         }
     };
     let axis = |k: usize| vectors.iter().map(|v| v[k]).collect();

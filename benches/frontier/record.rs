@@ -28,13 +28,13 @@ pub struct Record {
     pub mode: String,
     /// The set of points: `random`, `scan`, `antipodal mix` or `antipodal`.
     pub input: String,
-    /// Nanoseconds per point: the least of all repetitions.
+    /// Nanoseconds per point: the least, as `Timing::min` has it.
     pub ns_min: f64,
-    /// Nanoseconds per point: the median of all repetitions.
+    /// Nanoseconds per point: the median, as `Timing::median` has it.
     pub ns_median: f64,
     /// The largest error on the truth data, in metres, of the rows that did not fail.
     ///
-    /// `distance`: of the distance, or of the end of the line. `position`: displacement in space, heights of at least
+    /// `distance`: of the distance, or of the end of a line of at most 2.1e7 m. `position`: displacement in space, heights of at least
     /// −10 km; a latitude's error times the equatorial radius. `projection`: the length of the difference in face units or of unit vectors,
     /// times [`METRES_PER_FACE_UNIT`] or [`METRES_PER_RADIAN`]. NaN: not measured.
     pub error: f64,
@@ -75,8 +75,19 @@ impl Record {
     /// Reads a line of the file.
     pub fn parse(line: &str) -> Option<Self> {
         let fields: Vec<&str> = line.split(',').collect();
-        let &[chart, operation, library, method, scalar, mode, input, ns_min, ns_median, error, failures] =
-            fields.as_slice()
+        let &[
+            chart,
+            operation,
+            library,
+            method,
+            scalar,
+            mode,
+            input,
+            ns_min,
+            ns_median,
+            error,
+            failures,
+        ] = fields.as_slice()
         else {
             return None;
         };
@@ -110,7 +121,9 @@ pub fn append(path: &Path, records: &[Record]) -> io::Result<()> {
     if file.metadata()?.len() == 0 {
         writeln!(file, "{HEADER}")?;
     }
-    records.iter().try_for_each(|record| writeln!(file, "{}", record.line()))
+    records
+        .iter()
+        .try_for_each(|record| writeln!(file, "{}", record.line()))
 }
 
 /// Joins the records of several runs: the least minimum, the median of medians, the largest error and share of failures.
