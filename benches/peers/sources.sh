@@ -11,15 +11,15 @@ root=${CARGO_TARGET_DIR:-$here/target}/sources
 mkdir -p "$root/apt/lists/partial"
 cd "$root"
 
-release=$(. /etc/os-release && echo "$VERSION_CODENAME")
-echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian $release main" > apt/sources.list
+# From where the system has its packages.
+apt-get indextargets --format 'deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $(REPO_URI) $(CODENAME) main' \
+    'Created-By: Packages' 'Label: Debian' 'Component: main' | sort -u > apt/sources.list
 apt="apt-get -qq -o Dir::Etc::sourcelist=$root/apt/sources.list -o Dir::Etc::sourceparts=- -o Dir::State::lists=$root/apt/lists"
 # The package cache holds what is listed, so it must be one of its own too.
 apt="$apt -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= -o APT::Sandbox::User=root"
 $apt update
 
 flags="-O3 -flto -fPIC -DNDEBUG"
-export AR=gcc-ar RANLIB=gcc-ranlib
 cmake_static="-DCMAKE_BUILD_TYPE=None -DBUILD_SHARED_LIBS=OFF -DCMAKE_AR=$(command -v gcc-ar) -DCMAKE_RANLIB=$(command -v gcc-ranlib)"
 
 # fetch NAME: the unpacked source in $root/NAME, whatever its version; the version in NAME.version.

@@ -1,7 +1,9 @@
 //! Speed and largest error of other libraries, on the points and truth data that terrella's own `frontier` uses.
 //!
-//! `peers [--runs N] [--only TEXT] [--csv FILE]`: N runs in processes of their own, joined; written to FILE, `peers.csv` beside
-//! this crate's manifest unless told. With `--only`, records whose key has the text; others that the file has stay.
+//! `peers [--runs N] [--only TEXT] [--add] [--csv FILE]`: N runs in processes of their own, joined; written to FILE,
+//! `peers.csv` beside this crate's manifest unless told. With `--only`, records whose key has the text; others that the file
+//! has stay. With `--add`, the file's records are joined as one more run.
+//! `peers --table [--csv FILE]` prints the file as the tables of `README.md`.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -16,6 +18,7 @@ mod projection;
 #[path = "../../frontier/record.rs"]
 mod record;
 mod shim;
+mod table;
 #[path = "../../frontier/timing.rs"]
 mod timing;
 mod truth;
@@ -71,7 +74,8 @@ pub fn crate_version(name: &str) -> String {
 
 fn main() -> std::io::Result<()> {
     let mut arguments = std::env::args().skip(1);
-    let (mut runs, mut only, mut one_run) = (1, String::new(), false);
+    let (mut runs, mut only) = (1, String::new());
+    let (mut add, mut one_run, mut table) = (false, false, false);
     let mut csv = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/peers.csv"));
     while let Some(argument) = arguments.next() {
         let mut value = || arguments.next().unwrap_or_else(|| panic!("{argument} wants a value"));
@@ -80,8 +84,13 @@ fn main() -> std::io::Result<()> {
             "--only" => only = value(),
             "--csv" => csv = value().into(),
             "--one-run" => one_run = true,
+            "--add" => add = true,
+            "--table" => table = true,
             _ => panic!("unknown: {argument}"),
         }
+    }
+    if table {
+        return record::read(&csv).map(|records| table::print(&records));
     }
     if one_run {
         let mut bench = Bench {
@@ -104,9 +113,9 @@ fn main() -> std::io::Result<()> {
         assert!(status.success(), "run {run}: {status}");
     }
     let mut records = record::read(&fresh)?;
-    if !only.is_empty() && csv.exists() {
-        let old = record::read(&csv)?;
-        records.extend(old.into_iter().filter(|old| !old.key().join(",").contains(&only)));
+    if csv.exists() {
+        let stays = |old: &record::Record| add || !old.key().join(",").contains(&only);
+        records.extend(record::read(&csv)?.into_iter().filter(stays));
     }
     let mut records = record::merge(&records);
     records.sort_by(|a, b| a.key().cmp(&b.key()));
