@@ -17,7 +17,8 @@ pub struct Quadrilateralized;
 impl CubeProjection for Quadrilateralized {
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
-        let (major, minor) = (max(right.abs(), up.abs()), min(right.abs(), up.abs()));
+        // Of equals the first is the larger one, as in the exchange below: a derivative tells them apart.
+        let (major, minor) = (max(up.abs(), right.abs()), min(right.abs(), up.abs()));
         let t = minor / select(major == T::ZERO, T::ONE, major);
         let u = major / outward;
         let tt = T::ONE + t * t;
@@ -34,7 +35,7 @@ impl CubeProjection for Quadrilateralized {
 
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
-        let (long, short) = (max(x.abs(), y.abs()), min(x.abs(), y.abs()));
+        let (long, short) = (max(y.abs(), x.abs()), min(x.abs(), y.abs()));
         let t = odd_unit(short / select(long == T::ZERO, T::ONE, long), &QUAD_T);
         // s is the outward component on the edge; w leaves 0 there, so that outward and major agree to the last bit.
         let s = T::ONE / (T::of(2.0) + t * t).sqrt();
