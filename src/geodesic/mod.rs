@@ -14,6 +14,7 @@ mod great_circle;
 mod haversine;
 mod karney;
 mod method;
+mod ordinary;
 mod vincenty;
 
 pub use andoyer::Andoyer;

@@ -26,10 +26,8 @@ pub fn atan<T: Real>(x: T) -> T {
 #[must_use]
 #[inline]
 pub fn atan2<T: Real>(y: T, x: T) -> T {
-    let (high, low) = Reduced::new(y.abs(), x.abs()).radians();
-    let pi = T::pick(core::f64::consts::PI, core::f32::consts::PI);
-    let pi_low = T::pick(1.224_646_799_147_353_2e-16, -8.742_277_7e-8);
-    opened(high, low, pi, pi_low, x).copysign(y)
+    let (high, low) = atan2_split(y.abs(), x);
+    (high + low).copysign(y)
 }
 
 /// The angle of the point (x, y) from the x axis, in degrees, in [−180, 180].
@@ -44,16 +42,29 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
 #[inline]
 pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
     let (high, low) = Reduced::new(y.abs(), x.abs()).degrees();
-    opened(high, low, T::of(180.0), T::ZERO, x).copysign(y)
+    let (high, low) = opened(high, low, T::of(180.0), T::ZERO, x);
+    (high + low).copysign(y)
 }
 
-/// The angle `high + low` of the first quadrant, or a half circle less it where x is negative; rounded once.
+/// [`atan2`] of y ≥ 0 as a sum, high and low, that is yet to be rounded.
 #[inline(always)]
-fn opened<T: Real>(high: T, low: T, half_circle: T, half_circle_low: T, x: T) -> T {
+pub(crate) fn atan2_split<T: Real>(y: T, x: T) -> (T, T) {
+    let (high, low) = Reduced::new(y, x.abs()).radians();
+    let pi = T::pick(core::f64::consts::PI, core::f32::consts::PI);
+    let pi_low = T::pick(1.224_646_799_147_353_2e-16, -8.742_277_7e-8);
+    opened(high, low, pi, pi_low, x)
+}
+
+/// The angle `high + low` of the first quadrant, or a half circle less it where x is negative; as a sum again.
+#[inline(always)]
+fn opened<T: Real>(high: T, low: T, half_circle: T, half_circle_low: T, x: T) -> (T, T) {
     let rest = half_circle - high;
     let lost = (half_circle - rest) - high;
     let negative = T::ONE.copysign(x) < T::ZERO;
-    select(negative, rest, high) + select(negative, (lost + half_circle_low) - low, low)
+    (
+        select(negative, rest, high),
+        select(negative, (lost + half_circle_low) - low, low),
+    )
 }
 
 /// An angle of the first quadrant as a base angle, whose tangent is 0, ½, 1, 2 or ∞, and a remainder whose tangent is at

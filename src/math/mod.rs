@@ -21,6 +21,7 @@ mod polynomial;
 mod sin_cos;
 mod tan;
 
+pub(crate) use atan::atan2_split;
 pub use atan::{atan, atan2, atan2_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::Complex;
@@ -28,7 +29,7 @@ pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, V
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::odd_unit;
 pub use sin_cos::{sin_cos, sin_cos_degrees};
-pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_small};
+pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_quarter, sin_cos_small, sin_eighth};
 pub use tan::tan;
 
 use crate::Real;

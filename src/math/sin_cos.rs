@@ -101,6 +101,23 @@ fn reduced<T: Real>(x: T, low: T, lost: T) -> [(T, T); 2] {
     [(sin, cos), (small_sin - (sin - x), small_cos - (cos - w))]
 }
 
+/// Sine and cosine of 0 ≤ x ≤ 90 degrees.
+#[inline(always)]
+pub(crate) fn sin_cos_quarter<T: Real>(x: T) -> (T, T) {
+    let upper = x > T::of(45.0);
+    let (high, low) = radians(select(upper, T::of(90.0) - x, x));
+    let [(sin, cos), _] = reduced(high, low, T::ZERO);
+    (select(upper, cos, sin), select(upper, sin, cos))
+}
+
+/// Sine of |x| ≤ 45 degrees.
+#[inline(always)]
+pub(crate) fn sin_eighth<T: Real>(x: T) -> T {
+    let (high, low) = radians(x);
+    let [(sin, _), _] = reduced(high, low, T::ZERO);
+    sin
+}
+
 /// Sine and cosine of |x| ≤ π/4, without a reduction.
 #[inline(always)]
 pub(crate) fn sin_cos_small<T: Real>(x: T) -> (T, T) {

@@ -55,7 +55,8 @@ impl<T: Real> LatLon<T> {
 
     /// For a latitude and longitude known to be in range.
     #[inline(always)]
-    pub(crate) const fn within(lat: T, lon: T) -> Self {
+    #[doc(hidden)]
+    pub const fn within(lat: T, lon: T) -> Self {
         Self { lat, lon }
     }
 

@@ -1,4 +1,5 @@
 use super::degrees::hypot;
+use super::ordinary::Ordinary;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::max;
@@ -47,6 +48,7 @@ pub use polygon::PolygonArea;
 pub struct Karney<T> {
     ellipsoid: Ellipsoid<T>,
     series: Series<T>,
+    ordinary: Ordinary<T>,
     /// b/a = 1 − f.
     axes: T,
     /// The arc in radians below which the sphere of the middle latitude is exact enough.
@@ -85,12 +87,34 @@ impl<T: Real> Karney<T> {
         let half = T::of(0.5);
         let size = max(T::of(0.001), f.abs());
         let narrow = if f > T::ZERO { T::ONE - half * f } else { T::ONE };
+        let series = Series::new(ellipsoid);
+        let (a3, c3) = series.low_orders();
         Ok(Self {
             ellipsoid,
-            series: Series::new(ellipsoid),
+            series,
+            ordinary: Ordinary::new(ellipsoid, a3, c3),
             axes: T::ONE - f,
             short: T::of(0.1) * T::EPSILON.sqrt() / (half * size * narrow).sqrt(),
         })
+    }
+
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn inverse_ordinary(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        let way = self.ordinary.inverse(from, to);
+        let inverse = Inverse {
+            distance: way.distance,
+            azimuth1: way.azimuth1,
+            azimuth2: way.azimuth2,
+        };
+        (inverse, way.ordinary)
+    }
+
+    #[doc(hidden)]
+    #[cold]
+    #[inline(never)]
+    pub fn inverse_hard(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
+        self.solve(from, to).inverse
     }
 
     /// The whole solution of the inverse problem.
@@ -142,7 +166,8 @@ impl<T: Real> Karney<T> {
 impl<T: Real> Geodesic<T> for Karney<T> {
     /// Never fails.
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        Ok(self.solve(from, to).inverse)
+        let (inverse, ordinary) = self.inverse_ordinary(from, to);
+        Ok(if ordinary { inverse } else { self.inverse_hard(from, to) })
     }
 
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {

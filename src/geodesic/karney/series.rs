@@ -36,6 +36,18 @@ impl<T: Real> Series<T> {
         Self { order, a3, c3 }
     }
 
+    /// A₃ by powers of ε, and the rows A₃C₃ₗ/ε^l, l = 1 … 4, both to ε⁴.
+    pub fn low_orders(&self) -> ([T; 5], [T; 10]) {
+        let mut powers = self.a3.iter().copied();
+        let a3 = [(); 5].map(|()| powers.next().unwrap_or(T::ZERO));
+        let mut entries = (1..5).flat_map(|l| {
+            let start = (1..l).map(|m| longest::<T>() - m).sum();
+            self.c3.iter().copied().skip(start).take(5 - l)
+        });
+        let c3 = [(); 10].map(|()| entries.next().unwrap_or(T::ZERO));
+        (a3, c3)
+    }
+
     /// ε from k² (Karney 17).
     pub fn epsilon(k2: T) -> T {
         let root = (T::ONE + k2).sqrt();

@@ -1,0 +1,357 @@
+//! Both problems in straight lines, for ordinary places on an ellipsoid about as flat as the Earth.
+//!
+//! Every geodesic is a great circle on Bessel's auxiliary sphere, between the parametric latitudes; what is unknown there is the difference
+//! of longitudes, ω = λ + f sin α₀ I₃. Newton's method finds it in a fixed number of steps, the first of them with short series. The last
+//! needs no evaluation after it: distance and azimuths follow from their derivatives by ω.
+//!
+//! Symbols and series as in C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013). The middle of the arc, σₘ, counts from
+//! the node; sums over sines run as Σ 2cₗ cos 2lσₘ sin lσ, so that nothing cancels between neighbours.
+
+use core::f64::consts::PI;
+
+use super::degrees::longitude_difference;
+use crate::math::{Polynomial, atan2_degrees, atan2_split, select, sin_cos_quarter, sin_eighth};
+use crate::{Ellipsoid, LatLon, Real};
+
+/// An ellipsoid as the straight lines need it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) struct Ordinary<T> {
+    b: T,
+    f: T,
+    axes: T,
+    /// ε/cos²α₀ by powers of cos²α₀.
+    epsilon: [T; 7],
+    /// A₃ by powers of ε.
+    a3: [T; 5],
+    /// 2A₃C₃ₗ/ε^l by powers of ε, l = 1, 2, 3, 4, one row after the other.
+    c3: [T; 10],
+    /// The least sin σ beyond a quarter of a circle.
+    least: T,
+}
+
+/// The answer of a straight line.
+#[derive(Clone, Copy)]
+pub(super) struct Way<T> {
+    pub distance: T,
+    pub azimuth1: T,
+    pub azimuth2: T,
+    /// Whether it is one: nearly antipodal places and coincident ones are not ordinary.
+    pub ordinary: bool,
+}
+
+/// The great circle between two places for one ω.
+#[derive(Clone, Copy)]
+struct Arc<T> {
+    sin_omega: T,
+    /// 1 − cos ω.
+    versine: T,
+    sin_sigma: T,
+    cos_sigma: T,
+    /// 1/sin σ.
+    inverse: T,
+    sin_alpha: T,
+    /// cos²α₀.
+    square: T,
+    /// d sin α₀/dω.
+    bend: T,
+    /// cos²α₀ cos 2σₘ.
+    middle: T,
+}
+
+/// The places of an inverse problem on the auxiliary sphere.
+#[derive(Clone, Copy)]
+struct Ends<T> {
+    beta1: (T, T),
+    beta2: (T, T),
+    /// sin(β₂ − β₁).
+    rise: T,
+    /// Sine and cosine of half the difference of longitudes.
+    half: (T, T),
+}
+
+/// atan t/t by powers of t², 0 ≤ t ≤ 1; error 1.2e-7 (`f64`), 5e-6 (`f32`).
+const ROUGH_ATAN: Polynomial<8, 6> = Polynomial {
+    f64: [
+        0.999_999_881_996,
+        -0.333_318_126_556,
+        0.199_669_618_296,
+        -0.140_032_901_847,
+        0.098_688_654_581_3,
+        -0.058_829_753_143_1,
+        0.023_780_518_597_2,
+        -0.004_559_791_986_13,
+    ],
+    f32: [0.999_994_8, -0.332_957_1, 0.195_346_6, -0.120_448_59, 0.056_589_99, -0.013_130_382],
+};
+
+/// c₀ + c₁x + … of the first coefficients.
+#[inline(always)]
+fn horner<T: Real>(x: T, coefficients: &[T], terms: usize) -> T {
+    let used = coefficients.iter().take(terms).rev();
+    used.fold(T::ZERO, |sum, &c| sum * x + c)
+}
+
+impl<T: Real> Ordinary<T> {
+    /// From the ellipsoid and the series of its longitude, A₃ by powers of ε and A₃C₃ₗ/ε^l by rows.
+    pub fn new(ellipsoid: Ellipsoid<T>, a3: [T; 5], c3: [T; 10]) -> Self {
+        let ep2 = ellipsoid.ep2();
+        let f = ellipsoid.f();
+        // ε = k²/(1 + √(1 + k²))² by powers of k² = e'² cos²α₀.
+        let mut power = T::ONE;
+        let epsilon = [
+            1.0 / 4.0,
+            -1.0 / 8.0,
+            5.0 / 64.0,
+            -7.0 / 128.0,
+            21.0 / 512.0,
+            -33.0 / 1024.0,
+            429.0 / 16384.0,
+        ]
+        .map(|c| {
+            power *= ep2;
+            power * T::of(c)
+        });
+        Self {
+            b: ellipsoid.b(),
+            f,
+            axes: T::ONE - f,
+            epsilon,
+            a3,
+            c3: c3.map(|c| c + c),
+            // Room for the rounding of 1/150.
+            least: if f.abs() <= T::of(1.0 / 149.0) {
+                T::pick(0.1, 0.1)
+            } else {
+                T::of(f64::INFINITY)
+            },
+        }
+    }
+
+    /// Whether the straight lines hold on this ellipsoid.
+    #[inline(always)]
+    fn holds(&self) -> bool {
+        self.least < T::ONE
+    }
+
+    /// Sine and cosine of the parametric latitude, and 1/√(cos²φ + (1 − f)² sin²φ).
+    #[inline(always)]
+    fn parametric(&self, lat: T) -> ((T, T), T) {
+        let (sin, cos) = sin_cos_quarter(lat.abs());
+        let sin = (sin * self.axes).copysign(lat);
+        let inverse = T::ONE / (sin * sin + cos * cos).sqrt();
+        ((sin * inverse, cos * inverse), inverse)
+    }
+
+    /// The inverse problem.
+    #[inline(always)]
+    pub fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Way<T> {
+        let (one, two) = (T::ONE, T::of(2.0));
+        let radian = T::of(PI / 180.0);
+        let difference = longitude_difference(from, to);
+        let east = one.copysign(difference.angle);
+        // Of both directions of a line the same is solved.
+        let swap = from.lat().abs() < to.lat().abs();
+        let lat1 = select(swap, to.lat(), from.lat());
+        let lat2 = select(swap, from.lat(), to.lat());
+        let (beta1, inverse1) = self.parametric(lat1);
+        let (beta2, inverse2) = self.parametric(lat2);
+        let apart = lat2 - lat1;
+        let near = apart.abs() <= T::of(45.0);
+        let rise = select(
+            near,
+            sin_eighth(apart) * (self.axes * inverse1 * inverse2),
+            beta2.0 * beta1.1 - beta2.1 * beta1.0,
+        );
+        let ends = Ends {
+            beta1,
+            beta2,
+            rise,
+            half: sin_cos_quarter(difference.angle.abs() * T::of(0.5)),
+        };
+        let rest = difference.rest * east * radian;
+
+        // ω less the difference of longitudes that `half` stands for.
+        let mut grown = rest;
+        let mut arc = ends.arc(grown);
+        let mut sigma = arc.rough_sigma();
+        for _ in 0..T::terms(2, 1) {
+            let (shift, slope) = self.rough_shift(&arc, sigma);
+            let step = ((rest - grown) + shift) / slope;
+            sigma += step * (arc.sin_alpha + T::of(0.5) * arc.bend * step);
+            grown += step;
+            arc = ends.arc(grown);
+        }
+        let (high, low) = atan2_split(arc.sin_sigma, arc.cos_sigma);
+        let sigma = high + low;
+        let epsilon = arc.square * horner(arc.square, &self.epsilon, T::terms(7, 3));
+        let waves = arc.waves(horner(arc.square, &self.epsilon, T::terms(7, 3)), epsilon);
+        let integral = self.i3(epsilon, sigma, waves);
+        let shift = self.f * (arc.sin_alpha * integral);
+        let excess = (rest - grown) + shift;
+        let step = excess / self.slope(&arc, integral, sigma);
+
+        let sin_omega = arc.sin_omega + step * (one - arc.versine);
+        let versine = arc.versine + step * arc.sin_omega;
+        let ((sin1, cos1), (sin2, cos2)) = (beta1, beta2);
+        let course1 = (cos2 * sin_omega, rise + sin1 * cos2 * versine);
+        let course2 = (cos1 * sin_omega, rise - sin2 * cos1 * versine);
+        let turn = select(swap, -one, one);
+        let (first, second) = (select(swap, course2, course1), select(swap, course1, course2));
+        let azimuth = |(sin, cos): (T, T)| atan2_degrees(sin * east + T::ZERO, cos * turn + T::ZERO);
+
+        let b1 = c1(epsilon, waves);
+        let more = b1 + a1_less_1(epsilon) * (sigma + b1) + arc.sin_alpha * excess / self.axes;
+        let distance = self.b * (high + (low + more));
+        let settled = step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5);
+        let apart = arc.sin_sigma > T::pick(1e-100, 1e-15);
+        let far_from_antipode = self.holds() & ((arc.cos_sigma > T::ZERO) | (arc.sin_sigma > self.least));
+        let _ = two;
+        Way {
+            distance,
+            azimuth1: azimuth(first),
+            azimuth2: azimuth(second),
+            ordinary: settled & apart & far_from_antipode,
+        }
+    }
+
+    /// f sin α₀ I₃ but for 1e-9, and the derivative of ω less it.
+    #[inline(always)]
+    fn rough_shift(&self, arc: &Arc<T>, sigma: T) -> (T, T) {
+        let factor = horner(arc.square, &self.epsilon, T::terms(3, 2));
+        let epsilon = factor * arc.square;
+        let wave = factor * arc.middle * arc.sin_sigma;
+        let integral = sigma * horner(epsilon, &self.a3, 3) + wave * horner(epsilon, &self.c3, T::terms(2, 1));
+        let slope = T::ONE - self.f * (arc.bend * integral + arc.sin_alpha * arc.sin_alpha);
+        (self.f * (arc.sin_alpha * integral), slope)
+    }
+
+    /// I₃ between the ends.
+    #[inline(always)]
+    fn i3(&self, epsilon: T, sigma: T, [w1, w2, w3, w4, _]: [T; 5]) -> T {
+        let [c11, c12, c13, c14, c22, c23, c24, c33, c34, c44] = self.c3;
+        let sum = if T::terms(4, 2) == 4 {
+            (((c44 * w4 + (c33 + epsilon * c34) * w3) + (c22 + epsilon * (c23 + epsilon * c24)) * w2)
+                + (c11 + epsilon * (c12 + epsilon * (c13 + epsilon * c14))) * w1)
+        } else {
+            (c11 + epsilon * c12) * w1
+        };
+        sigma * horner(epsilon, &self.a3, T::terms(5, 3)) + sum
+    }
+
+    /// The derivative of ω − f sin α₀ I₃ by ω, but for f ε².
+    #[inline(always)]
+    fn slope(&self, arc: &Arc<T>, integral: T, sigma: T) -> T {
+        let half = T::of(0.5);
+        let [g, ..] = self.epsilon;
+        let wave = arc.middle * arc.cos_sigma
+            - arc.sin_sigma * ((arc.bend + arc.bend) * arc.cos_sigma + arc.square * arc.sin_sigma);
+        let rate = T::ONE + g * (half * (wave - arc.square) + sigma * arc.bend);
+        T::ONE - self.f * (arc.bend * integral + arc.sin_alpha * arc.sin_alpha * rate)
+    }
+}
+
+impl<T: Real> Ends<T> {
+    /// The great circle for an ω that is longer by so much, a small angle.
+    #[inline(always)]
+    fn arc(&self, grown: T) -> Arc<T> {
+        let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
+        let (sin_half, cos_half) = grow(self.half, grown * T::of(0.5));
+        let twice = sin_half + sin_half;
+        let sin_omega = twice * cos_half;
+        let versine = twice * sin_half;
+        let cosines = cos1 * cos2;
+        let sines = sin1 * sin2;
+        let level = cosines * (T::ONE - versine);
+        let (east, north) = (cos2 * sin_omega, self.rise + sin1 * cos2 * versine);
+        let sin_sigma = (east * east + north * north).sqrt();
+        let cos_sigma = sines + level;
+        let inverse = T::ONE / sin_sigma;
+        let sin_alpha = cos1 * east * inverse;
+        let square = T::ONE - sin_alpha * sin_alpha;
+        Arc {
+            sin_omega,
+            versine,
+            sin_sigma,
+            cos_sigma,
+            inverse,
+            sin_alpha,
+            square,
+            bend: (level - sin_alpha * sin_alpha * cos_sigma) * inverse,
+            middle: square * cos_sigma - (sines + sines),
+        }
+    }
+}
+
+impl<T: Real> Arc<T> {
+    /// σ but for 2e-7.
+    #[inline(always)]
+    fn rough_sigma(&self) -> T {
+        // tan σ/2, or of the supplement.
+        let t = self.sin_sigma / (T::ONE + self.cos_sigma.abs());
+        let angle = (t + t) * (t * t).polynomial(&ROUGH_ATAN);
+        select(self.cos_sigma < T::ZERO, T::of(PI) - angle, angle)
+    }
+
+    /// ε^l cos 2lσₘ sin lσ, l = 1, 2, …, from ε/cos²α₀ and ε.
+    #[inline(always)]
+    fn waves(&self, factor: T, epsilon: T) -> [T; 5] {
+        waves(
+            epsilon,
+            factor * self.middle,
+            (self.sin_sigma, self.cos_sigma),
+        )
+    }
+}
+
+/// ε^l cos lμ sin lσ, l = 1, 2, …, from ε cos μ.
+#[inline(always)]
+fn waves<T: Real>(epsilon: T, middle: T, (sin, cos): (T, T)) -> [T; 5] {
+    let square = epsilon * epsilon;
+    let (twice, twice_middle) = (cos + cos, middle + middle);
+    let (s2, m2) = (twice * sin, twice_middle * middle - square);
+    let (s3, m3) = (twice * s2 - sin, twice_middle * m2 - square * middle);
+    let (s4, m4) = (twice * s3 - s2, twice_middle * m3 - square * m2);
+    let (s5, m5) = (twice * s4 - s3, twice_middle * m4 - square * m3);
+    [middle * sin, m2 * s2, m3 * s3, m4 * s4, m5 * s5]
+}
+
+/// Σ C₁ₗ (sin 2lσ₂ − sin 2lσ₁).
+#[inline(always)]
+fn c1<T: Real>(epsilon: T, [w1, w2, w3, w4, w5]: [T; 5]) -> T {
+    let of = T::of;
+    let square = epsilon * epsilon;
+    if T::terms(5, 2) == 2 {
+        return -(w1 + of(1.0 / 8.0) * w2);
+    }
+    let rest = of(-7.0 / 640.0) * w5 - of(5.0 / 256.0) * w4;
+    let rest = rest + (of(3.0 / 128.0) * square - of(1.0 / 24.0)) * w3;
+    let rest = rest + (of(1.0 / 16.0) * square - of(1.0 / 8.0)) * w2;
+    (rest + square * (of(3.0 / 8.0) - of(1.0 / 16.0) * square) * w1) - w1
+}
+
+/// A₁ − 1 = (1 + ε²/4 + ε⁴/64 + ε⁶/256)/(1 − ε) − 1.
+#[inline(always)]
+fn a1_less_1<T: Real>(epsilon: T) -> T {
+    let coefficients = [1.0, 1.25, 1.25, 81.0 / 64.0, 81.0 / 64.0, 325.0 / 256.0].map(T::of);
+    epsilon * horner(epsilon, &coefficients, T::terms(6, 3))
+}
+
+/// Sine and cosine of an angle, given so, and a small one in radians, below 0.02.
+#[inline(always)]
+fn grow<T: Real>((sin, cos): (T, T), by: T) -> (T, T) {
+    let of = T::of;
+    let square = by * by;
+    let (small_sin, small_versine) = if T::terms(3, 2) == 3 {
+        (
+            by - by * square * (of(1.0 / 6.0) - of(1.0 / 120.0) * square),
+            square * (of(0.5) - square * (of(1.0 / 24.0) - of(1.0 / 720.0) * square)),
+        )
+    } else {
+        (by - by * square * of(1.0 / 6.0), square * of(0.5))
+    };
+    (
+        sin + (cos * small_sin - sin * small_versine),
+        cos - (sin * small_sin + cos * small_versine),
+    )
+}
