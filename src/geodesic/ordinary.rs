@@ -9,8 +9,11 @@
 
 use core::f64::consts::PI;
 
-use super::degrees::longitude_difference;
-use crate::math::{Polynomial, atan2_degrees, atan2_split, select, sin_cos_quarter, sin_eighth};
+use super::Direct;
+use super::degrees::{longitude_difference, off_pole, wrapped};
+use crate::math::{
+    Polynomial, atan2_degrees, atan2_split, select, sin_cos, sin_cos_degrees, sin_cos_quarter, sin_eighth,
+};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// An ellipsoid as the straight lines need it.
@@ -48,8 +51,6 @@ struct Arc<T> {
     versine: T,
     sin_sigma: T,
     cos_sigma: T,
-    /// 1/sin σ.
-    inverse: T,
     sin_alpha: T,
     /// cos²α₀.
     square: T,
@@ -146,7 +147,7 @@ impl<T: Real> Ordinary<T> {
     /// The inverse problem.
     #[inline(always)]
     pub fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Way<T> {
-        let (one, two) = (T::ONE, T::of(2.0));
+        let one = T::ONE;
         let radian = T::of(PI / 180.0);
         let difference = longitude_difference(from, to);
         let east = one.copysign(difference.angle);
@@ -206,13 +207,58 @@ impl<T: Real> Ordinary<T> {
         let settled = step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5);
         let apart = arc.sin_sigma > T::pick(1e-100, 1e-15);
         let far_from_antipode = self.holds() & ((arc.cos_sigma > T::ZERO) | (arc.sin_sigma > self.least));
-        let _ = two;
         Way {
             distance,
             azimuth1: azimuth(first),
             azimuth2: azimuth(second),
             ordinary: settled & apart & far_from_antipode,
         }
+    }
+
+    /// The direct problem: the place, the azimuth there, and whether this is the answer, which it is but after very many circuits.
+    #[inline(always)]
+    pub fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        let (sin_azimuth, cos_azimuth) = sin_cos_degrees(azimuth);
+        let ((sin1, cos1), _) = self.parametric(from.lat());
+        let cos1 = off_pole(cos1);
+        let sin_alpha = sin_azimuth * cos1;
+        let across = sin_azimuth * sin1;
+        let square = cos_azimuth * cos_azimuth + across * across;
+        let factor = horner(square, &self.epsilon, T::terms(7, 3));
+        let epsilon = factor * square;
+        let epsilon2 = epsilon * epsilon;
+        // cos α₀ times sine and cosine of an arc from the node; of its double, times ε.
+        let along = cos1 * cos_azimuth;
+        let doubled = |(sin, cos): (T, T)| (factor * (cos + cos) * sin, factor * ((cos - sin) * (cos + sin)));
+        let twice = doubled((sin1, along));
+
+        let spherical = distance / self.b;
+        let tau = spherical + spherical * inverse_a1_less_1(epsilon);
+        let (sin_tau, cos_tau) = sin_cos(tau);
+        let wave1 = c1_sines(epsilon2, twice);
+        let (tau1_sin, tau1_cos) = grow((sin1, along), wave1);
+        let tau2 = (
+            tau1_sin * cos_tau + tau1_cos * sin_tau,
+            tau1_cos * cos_tau - tau1_sin * sin_tau,
+        );
+        let more = wave1 + c1_reverted_sines(epsilon2, doubled(tau2));
+        let sigma = tau + more;
+        let (sin, cos) = grow((sin_tau, cos_tau), more);
+
+        let east = sin_azimuth * sin;
+        let outward = cos1 * cos - sin1 * sin * cos_azimuth;
+        let up = sin1 * cos + along * sin;
+        let north = along * cos - sin1 * sin;
+        let waves = waves(epsilon, twice.1 * cos - twice.0 * sin, (sin, cos));
+        let shift = self.f * (sin_alpha * self.i3(epsilon, sigma, waves));
+        let lon = atan2_degrees(east, outward) - shift * T::of(180.0 / PI);
+        let lat = atan2_degrees(up, self.axes * (east * east + outward * outward).sqrt());
+        let there = Direct {
+            position: LatLon::within(lat, wrapped(from.lon() + wrapped(lon))),
+            azimuth: atan2_degrees(sin_alpha, north),
+        };
+        let few = (azimuth.abs() <= T::of(360.0)) & (tau.abs() <= T::pick(1000.0, 60.0));
+        (there, few & self.holds())
     }
 
     /// f sin α₀ I₃ but for 1e-9, and the derivative of ω less it.
@@ -231,8 +277,8 @@ impl<T: Real> Ordinary<T> {
     fn i3(&self, epsilon: T, sigma: T, [w1, w2, w3, w4, _]: [T; 5]) -> T {
         let [c11, c12, c13, c14, c22, c23, c24, c33, c34, c44] = self.c3;
         let sum = if T::terms(4, 2) == 4 {
-            (((c44 * w4 + (c33 + epsilon * c34) * w3) + (c22 + epsilon * (c23 + epsilon * c24)) * w2)
-                + (c11 + epsilon * (c12 + epsilon * (c13 + epsilon * c14))) * w1)
+            ((c44 * w4 + (c33 + epsilon * c34) * w3) + (c22 + epsilon * (c23 + epsilon * c24)) * w2)
+                + (c11 + epsilon * (c12 + epsilon * (c13 + epsilon * c14))) * w1
         } else {
             (c11 + epsilon * c12) * w1
         };
@@ -274,7 +320,6 @@ impl<T: Real> Ends<T> {
             versine,
             sin_sigma,
             cos_sigma,
-            inverse,
             sin_alpha,
             square,
             bend: (level - sin_alpha * sin_alpha * cos_sigma) * inverse,
@@ -328,6 +373,60 @@ fn c1<T: Real>(epsilon: T, [w1, w2, w3, w4, w5]: [T; 5]) -> T {
     let rest = rest + (of(3.0 / 128.0) * square - of(1.0 / 24.0)) * w3;
     let rest = rest + (of(1.0 / 16.0) * square - of(1.0 / 8.0)) * w2;
     (rest + square * (of(3.0 / 8.0) - of(1.0 / 16.0) * square) * w1) - w1
+}
+
+/// Σ C₁ₗ sin 2lσ from ε² and ε times sine and cosine of 2σ.
+#[inline(always)]
+fn c1_sines<T: Real>(square: T, double: (T, T)) -> T {
+    let of = T::of;
+    sines(
+        [
+            of(-0.5) + square * (of(3.0 / 16.0) - of(1.0 / 32.0) * square),
+            of(-1.0 / 16.0) + square * of(1.0 / 32.0),
+            of(-1.0 / 48.0) + square * of(3.0 / 256.0),
+            of(-5.0 / 512.0),
+            of(-7.0 / 1280.0),
+            T::ZERO,
+        ],
+        T::terms(5, 2),
+        square,
+        double,
+    )
+}
+
+/// Σ C′₁ₗ sin 2lτ from ε² and ε times sine and cosine of 2τ.
+#[inline(always)]
+fn c1_reverted_sines<T: Real>(square: T, double: (T, T)) -> T {
+    let of = T::of;
+    sines(
+        [
+            of(0.5) - square * (of(9.0 / 32.0) - of(205.0 / 1536.0) * square),
+            of(5.0 / 16.0) - square * (of(37.0 / 96.0) - of(1335.0 / 4096.0) * square),
+            of(29.0 / 96.0) - square * of(75.0 / 128.0),
+            of(539.0 / 1536.0) - square * of(2391.0 / 2560.0),
+            of(3467.0 / 7680.0),
+            of(38081.0 / 61440.0),
+        ],
+        T::terms(6, 2),
+        square,
+        double,
+    )
+}
+
+/// Σ cₗ ε^l sin 2lσ by Clenshaw's recurrence, from ε² and ε times sine and cosine of 2σ.
+#[inline(always)]
+fn sines<T: Real, const N: usize>(c: [T; N], terms: usize, square: T, (sin, cos): (T, T)) -> T {
+    let twice = cos + cos;
+    let used = c.iter().take(terms).rev();
+    let (b, _) = used.fold((T::ZERO, T::ZERO), |(b1, b2), &c| (c + (twice * b1 - square * b2), b1));
+    sin * b
+}
+
+/// 1/A₁ − 1.
+#[inline(always)]
+fn inverse_a1_less_1<T: Real>(epsilon: T) -> T {
+    let coefficients = [-1.0, -1.0 / 4.0, 1.0 / 4.0, 3.0 / 64.0, -3.0 / 64.0, -3.0 / 256.0].map(T::of);
+    epsilon * horner(epsilon, &coefficients, T::terms(6, 3))
 }
 
 /// A₁ − 1 = (1 + ε²/4 + ε⁴/64 + ε⁶/256)/(1 − ε) − 1.

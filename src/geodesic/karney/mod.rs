@@ -111,6 +111,23 @@ impl<T: Real> Karney<T> {
     }
 
     #[doc(hidden)]
+    #[inline(always)]
+    pub fn direct_ordinary(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        self.ordinary.direct(from, azimuth, distance)
+    }
+
+    #[doc(hidden)]
+    #[cold]
+    #[inline(never)]
+    pub fn direct_hard(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
+        let point = self.line(from, azimuth)?.at(distance)?;
+        Ok(Direct {
+            position: point.position,
+            azimuth: point.azimuth,
+        })
+    }
+
+    #[doc(hidden)]
     #[cold]
     #[inline(never)]
     pub fn inverse_hard(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
@@ -171,10 +188,11 @@ impl<T: Real> Geodesic<T> for Karney<T> {
     }
 
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let point = self.line(from, azimuth)?.at(distance)?;
-        Ok(Direct {
-            position: point.position,
-            azimuth: point.azimuth,
-        })
+        let (there, ordinary) = self.direct_ordinary(from, azimuth, distance);
+        if ordinary {
+            Ok(there)
+        } else {
+            self.direct_hard(from, azimuth, distance)
+        }
     }
 }
