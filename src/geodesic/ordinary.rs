@@ -9,10 +9,10 @@
 
 use core::f64::consts::PI;
 
-use super::Direct;
+use super::{Direct, Inverse};
 use super::degrees::{longitude_difference, off_pole, wrapped};
 use crate::math::{
-    Polynomial, atan2_degrees, atan2_split, select, sin_cos, sin_cos_degrees, sin_cos_quarter, sin_eighth,
+    Polynomial, max, octant, select, sin_cos, sin_cos_degrees, sin_cos_quarter, sin_eighth,
 };
 use crate::{Ellipsoid, LatLon, Real};
 
@@ -29,17 +29,13 @@ pub(super) struct Ordinary<T> {
     a3: [T; 5],
     /// 2A₃C₃ₗ/ε^l by powers of ε, l = 1, 2, 3, 4, one row after the other.
     c3: [T; 10],
-    /// The least sin σ beyond a quarter of a circle.
-    least: T,
 }
 
 /// The answer of a straight line.
 #[derive(Clone, Copy)]
 pub(super) struct Way<T> {
-    pub distance: T,
-    pub azimuth1: T,
-    pub azimuth2: T,
-    /// Whether it is one: nearly antipodal places and coincident ones are not ordinary.
+    pub inverse: Inverse<T>,
+    /// Whether it is one.
     pub ordinary: bool,
 }
 
@@ -60,14 +56,34 @@ struct Arc<T> {
     middle: T,
 }
 
-/// The places of an inverse problem on the auxiliary sphere.
+/// The places of an inverse problem, the one of greater latitude first: of both directions of a line the same is solved.
 #[derive(Clone, Copy)]
-struct Ends<T> {
+pub(super) struct Pair<T> {
+    lat1: T,
+    lat2: T,
+    /// Sine and cosine of the parametric latitudes.
+    beta1: (T, T),
+    beta2: (T, T),
+    /// sin(β₂ ∓ β₁)/sin(φ₂ ∓ φ₁).
+    scale: T,
+    /// The difference of longitudes in degrees, and of half of it sine and cosine.
+    lon: T,
+    half: (T, T),
+    /// What the difference's rounding lost, in radians.
+    rest: T,
+    /// −1 westward.
+    east: T,
+    swap: bool,
+}
+
+/// A pair seen from the first place, or near the antipode from opposite of it: there ω, λ and β₁ stand for π − ω, π − λ and −β₁.
+#[derive(Clone, Copy)]
+struct Ends<T, const FAR: bool> {
     beta1: (T, T),
     beta2: (T, T),
     /// sin(β₂ − β₁).
     rise: T,
-    /// Sine and cosine of half the difference of longitudes.
+    /// Sine and cosine of λ/2.
     half: (T, T),
 }
 
@@ -120,19 +136,14 @@ impl<T: Real> Ordinary<T> {
             epsilon,
             a3,
             c3: c3.map(|c| c + c),
-            // Room for the rounding of 1/150.
-            least: if f.abs() <= T::of(1.0 / 149.0) {
-                T::pick(0.1, 0.1)
-            } else {
-                T::of(f64::INFINITY)
-            },
         }
     }
 
     /// Whether the straight lines hold on this ellipsoid.
     #[inline(always)]
-    fn holds(&self) -> bool {
-        self.least < T::ONE
+    pub fn holds(&self) -> bool {
+        // Room for the rounding of 1/150.
+        self.f.abs() < T::of(1.0 / 149.0)
     }
 
     /// Sine and cosine of the parametric latitude, and 1/√(cos²φ + (1 − f)² sin²φ).
@@ -144,75 +155,106 @@ impl<T: Real> Ordinary<T> {
         ((sin * inverse, cos * inverse), inverse)
     }
 
-    /// The inverse problem.
+    /// The places of an inverse problem.
     #[inline(always)]
-    pub fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Way<T> {
-        let one = T::ONE;
-        let radian = T::of(PI / 180.0);
+    pub fn pair(&self, from: LatLon<T>, to: LatLon<T>) -> Pair<T> {
         let difference = longitude_difference(from, to);
-        let east = one.copysign(difference.angle);
-        // Of both directions of a line the same is solved.
+        let east = T::ONE.copysign(difference.angle);
+        let lon = difference.angle.abs();
         let swap = from.lat().abs() < to.lat().abs();
         let lat1 = select(swap, to.lat(), from.lat());
         let lat2 = select(swap, from.lat(), to.lat());
         let (beta1, inverse1) = self.parametric(lat1);
         let (beta2, inverse2) = self.parametric(lat2);
-        let apart = lat2 - lat1;
-        let near = apart.abs() <= T::of(45.0);
-        let rise = select(
-            near,
-            sin_eighth(apart) * (self.axes * inverse1 * inverse2),
-            beta2.0 * beta1.1 - beta2.1 * beta1.0,
-        );
-        let ends = Ends {
+        Pair {
+            lat1,
+            lat2,
             beta1,
             beta2,
-            rise,
-            half: sin_cos_quarter(difference.angle.abs() * T::of(0.5)),
-        };
-        let rest = difference.rest * east * radian;
+            scale: self.axes * inverse1 * inverse2,
+            lon,
+            half: sin_cos_quarter(lon * T::of(0.5)),
+            rest: difference.rest * east * T::of(PI / 180.0),
+            east,
+            swap,
+        }
+    }
 
-        // ω less the difference of longitudes that `half` stands for.
+    /// The inverse problem between places that are not nearly antipodal, or between such as are.
+    #[inline(always)]
+    pub fn inverse<const FAR: bool>(&self, pair: &Pair<T>) -> Way<T> {
+        let one = T::ONE;
+        let side = side::<T, FAR>();
+        let ends = pair.ends::<FAR>();
+        let rest = side * pair.rest;
+        // ω less the angle that `half` stands for.
         let mut grown = rest;
+        if FAR {
+            let lon = (T::of(180.0) - pair.lon) * T::of(PI / 180.0) + rest;
+            grown = rest - self.narrowed(&ends, lon);
+        }
         let mut arc = ends.arc(grown);
-        let mut sigma = arc.rough_sigma();
+        let mut sigma = arc.rough_sigma::<FAR>();
         for _ in 0..T::terms(2, 1) {
             let (shift, slope) = self.rough_shift(&arc, sigma);
-            let step = ((rest - grown) + shift) / slope;
-            sigma += step * (arc.sin_alpha + T::of(0.5) * arc.bend * step);
+            let step = ((rest - grown) + side * shift) / slope;
+            let turn = side * step;
+            sigma += turn * (arc.sin_alpha + T::of(0.5) * arc.bend * turn);
             grown += step;
             arc = ends.arc(grown);
         }
-        let (high, low) = atan2_split(arc.sin_sigma, arc.cos_sigma);
+        let (eighths, small) = octant(arc.sin_sigma, arc.cos_sigma);
+        // π/4 in two parts, the first so short that four times it is exact.
+        let high = eighths * T::pick(core::f64::consts::FRAC_PI_4, 0.785_398);
+        let low = eighths * T::pick(3.061_616_997_868_383e-17, 1.569_582_4e-7) + small;
         let sigma = high + low;
-        let epsilon = arc.square * horner(arc.square, &self.epsilon, T::terms(7, 3));
-        let waves = arc.waves(horner(arc.square, &self.epsilon, T::terms(7, 3)), epsilon);
+        let factor = horner(arc.square, &self.epsilon, T::terms(7, 3));
+        let epsilon = arc.square * factor;
+        let waves = waves(epsilon, factor * arc.middle, (arc.sin_sigma, arc.cos_sigma));
         let integral = self.i3(epsilon, sigma, waves);
-        let shift = self.f * (arc.sin_alpha * integral);
-        let excess = (rest - grown) + shift;
+        let excess = (rest - grown) + side * (self.f * (arc.sin_alpha * integral));
         let step = excess / self.slope(&arc, integral, sigma);
 
         let sin_omega = arc.sin_omega + step * (one - arc.versine);
         let versine = arc.versine + step * arc.sin_omega;
-        let ((sin1, cos1), (sin2, cos2)) = (beta1, beta2);
-        let course1 = (cos2 * sin_omega, rise + sin1 * cos2 * versine);
-        let course2 = (cos1 * sin_omega, rise - sin2 * cos1 * versine);
-        let turn = select(swap, -one, one);
-        let (first, second) = (select(swap, course2, course1), select(swap, course1, course2));
-        let azimuth = |(sin, cos): (T, T)| atan2_degrees(sin * east + T::ZERO, cos * turn + T::ZERO);
+        let [course1, course2] = ends.courses(sin_omega, versine);
+        let azimuth = |(sin, cos): (T, T)| {
+            angle_degrees(sin * pair.east + T::ZERO, select(pair.swap, -cos, cos))
+        };
 
         let b1 = c1(epsilon, waves);
-        let more = b1 + a1_less_1(epsilon) * (sigma + b1) + arc.sin_alpha * excess / self.axes;
-        let distance = self.b * (high + (low + more));
-        let settled = step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5);
-        let apart = arc.sin_sigma > T::pick(1e-100, 1e-15);
-        let far_from_antipode = self.holds() & ((arc.cos_sigma > T::ZERO) | (arc.sin_sigma > self.least));
+        let more = b1 + a1_less_1(epsilon) * (sigma + b1) + side * (arc.sin_alpha * excess / self.axes);
         Way {
-            distance,
-            azimuth1: azimuth(first),
-            azimuth2: azimuth(second),
-            ordinary: settled & apart & far_from_antipode,
+            inverse: Inverse {
+                distance: self.b * (high + (low + more)),
+                azimuth1: azimuth(select(pair.swap, course2, course1)),
+                azimuth2: azimuth(select(pair.swap, course1, course2)),
+            },
+            // Also false for NaN: coincident places.
+            ordinary: (step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5))
+                & (arc.sin_sigma > T::pick(1e-100, 1e-15)),
         }
+    }
+
+    /// How much shorter ω is than λ near the antipode, but for a hundredth: λ − x of x + K sin α₀/cos β₁ = λ with the triangle taken as flat.
+    #[inline(always)]
+    fn narrowed<const FAR: bool>(&self, ends: &Ends<T, FAR>, lon: T) -> T {
+        let (_, cos1) = ends.beta1;
+        let (_, cos2) = ends.beta2;
+        let reach = T::of(PI) * self.f * cos1;
+        let north = ends.rise.abs() / cos2;
+        let square = north * north;
+        let mut x = max(lon - reach, lon * north / (reach + north));
+        for _ in 0..2 {
+            // Halley's steps; the larger of two lower bounds comes first.
+            let q = x * x + square;
+            let inverse = T::ONE / (q * q.sqrt());
+            let excess = (x - lon) + reach * (x * (q * inverse));
+            let slope = T::ONE + reach * (square * inverse);
+            let bend = T::of(1.5) * reach * (square * (x * inverse)) / q;
+            x += -excess * slope / (slope * slope + excess * bend);
+        }
+        lon - x
     }
 
     /// The direct problem: the place, the azimuth there, and whether this is the answer, which it is but after very many circuits.
@@ -251,11 +293,11 @@ impl<T: Real> Ordinary<T> {
         let north = along * cos - sin1 * sin;
         let waves = waves(epsilon, twice.1 * cos - twice.0 * sin, (sin, cos));
         let shift = self.f * (sin_alpha * self.i3(epsilon, sigma, waves));
-        let lon = atan2_degrees(east, outward) - shift * T::of(180.0 / PI);
-        let lat = atan2_degrees(up, self.axes * (east * east + outward * outward).sqrt());
+        let lon = angle_degrees(east, outward) - shift * T::of(180.0 / PI);
+        let lat = angle_degrees(up, self.axes * (east * east + outward * outward).sqrt());
         let there = Direct {
             position: LatLon::within(lat, wrapped(from.lon() + wrapped(lon))),
-            azimuth: atan2_degrees(sin_alpha, north),
+            azimuth: angle_degrees(sin_alpha, north),
         };
         let few = (azimuth.abs() <= T::of(360.0)) & (tau.abs() <= T::pick(1000.0, 60.0));
         (there, few & self.holds())
@@ -297,18 +339,64 @@ impl<T: Real> Ordinary<T> {
     }
 }
 
-impl<T: Real> Ends<T> {
+/// The angle of the point (x, y) from the x axis, in degrees.
+#[inline(always)]
+fn angle_degrees<T: Real>(y: T, x: T) -> T {
+    let (eighths, rest) = octant(y.abs(), x);
+    (eighths * T::of(45.0) + rest * T::of(180.0 / PI)).copysign(y)
+}
+
+/// −1 near the antipode.
+#[inline(always)]
+fn side<T: Real, const FAR: bool>() -> T {
+    if FAR { -T::ONE } else { T::ONE }
+}
+
+impl<T: Real> Pair<T> {
+    /// Whether the places are so nearly antipodal, 172° apart or more, that ω turns the line faster than λ tells it.
+    #[inline(always)]
+    pub fn nearly_antipodal(&self) -> bool {
+        let (sin_half, _) = self.half;
+        let cos_lambda = T::ONE - (sin_half + sin_half) * sin_half;
+        let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
+        sin1 * sin2 + cos1 * cos2 * cos_lambda < T::of(-0.99)
+    }
+
+    #[inline(always)]
+    fn ends<const FAR: bool>(&self) -> Ends<T, FAR> {
+        let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
+        let side = side::<T, FAR>();
+        let apart = self.lat2 - side * self.lat1;
+        let (sin_half, cos_half) = self.half;
+        Ends {
+            beta1: (side * sin1, cos1),
+            beta2: (sin2, cos2),
+            rise: select(
+                apart.abs() <= T::of(45.0),
+                sin_eighth(apart) * self.scale,
+                sin2 * cos1 - cos2 * (side * sin1),
+            ),
+            half: if FAR {
+                (cos_half, sin_half)
+            } else {
+                (sin_half, cos_half)
+            },
+        }
+    }
+}
+
+impl<T: Real, const FAR: bool> Ends<T, FAR> {
     /// The great circle for an ω that is longer by so much, a small angle.
     #[inline(always)]
     fn arc(&self, grown: T) -> Arc<T> {
         let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
+        let side = side::<T, FAR>();
         let (sin_half, cos_half) = grow(self.half, grown * T::of(0.5));
         let twice = sin_half + sin_half;
         let sin_omega = twice * cos_half;
         let versine = twice * sin_half;
-        let cosines = cos1 * cos2;
-        let sines = sin1 * sin2;
-        let level = cosines * (T::ONE - versine);
+        let sines = side * (sin1 * sin2);
+        let level = side * (cos1 * cos2 * (T::ONE - versine));
         let (east, north) = (cos2 * sin_omega, self.rise + sin1 * cos2 * versine);
         let sin_sigma = (east * east + north * north).sqrt();
         let cos_sigma = sines + level;
@@ -326,26 +414,37 @@ impl<T: Real> Ends<T> {
             middle: square * cos_sigma - (sines + sines),
         }
     }
+
+    /// sin σ times sine and cosine of both azimuths, from those of ω.
+    #[inline(always)]
+    fn courses(&self, sin_omega: T, versine: T) -> [(T, T); 2] {
+        let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
+        [
+            (cos2 * sin_omega, self.rise + sin1 * cos2 * versine),
+            (
+                cos1 * sin_omega,
+                side::<T, FAR>() * (self.rise - sin2 * cos1 * versine),
+            ),
+        ]
+    }
 }
 
 impl<T: Real> Arc<T> {
     /// σ but for 2e-7.
     #[inline(always)]
-    fn rough_sigma(&self) -> T {
+    fn rough_sigma<const FAR: bool>(&self) -> T {
+        let of = T::of;
+        if FAR {
+            // The supplement from its sine.
+            let s = self.sin_sigma;
+            let z = s * s;
+            let curve = of(1.0 / 6.0) + z * (of(3.0 / 40.0) + z * (of(15.0 / 336.0) + z * of(105.0 / 3456.0)));
+            return of(PI) - (s + s * z * curve);
+        }
         // tan σ/2, or of the supplement.
         let t = self.sin_sigma / (T::ONE + self.cos_sigma.abs());
         let angle = (t + t) * (t * t).polynomial(&ROUGH_ATAN);
-        select(self.cos_sigma < T::ZERO, T::of(PI) - angle, angle)
-    }
-
-    /// ε^l cos 2lσₘ sin lσ, l = 1, 2, …, from ε/cos²α₀ and ε.
-    #[inline(always)]
-    fn waves(&self, factor: T, epsilon: T) -> [T; 5] {
-        waves(
-            epsilon,
-            factor * self.middle,
-            (self.sin_sigma, self.cos_sigma),
-        )
+        select(self.cos_sigma < T::ZERO, of(PI) - angle, angle)
     }
 }
 

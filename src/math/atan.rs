@@ -1,5 +1,5 @@
 use super::minimax::ATAN;
-use super::{max, select};
+use super::{max, min, select};
 use crate::Real;
 
 /// Arc tangent in radians, in [−π/2, π/2].
@@ -26,8 +26,10 @@ pub fn atan<T: Real>(x: T) -> T {
 #[must_use]
 #[inline]
 pub fn atan2<T: Real>(y: T, x: T) -> T {
-    let (high, low) = atan2_split(y.abs(), x);
-    (high + low).copysign(y)
+    let (high, low) = Reduced::new(y.abs(), x.abs()).radians();
+    let pi = T::pick(core::f64::consts::PI, core::f32::consts::PI);
+    let pi_low = T::pick(1.224_646_799_147_353_2e-16, -8.742_277_7e-8);
+    opened(high, low, pi, pi_low, x).copysign(y)
 }
 
 /// The angle of the point (x, y) from the x axis, in degrees, in [−180, 180].
@@ -42,29 +44,34 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
 #[inline]
 pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
     let (high, low) = Reduced::new(y.abs(), x.abs()).degrees();
-    let (high, low) = opened(high, low, T::of(180.0), T::ZERO, x);
-    (high + low).copysign(y)
+    opened(high, low, T::of(180.0), T::ZERO, x).copysign(y)
 }
 
-/// [`atan2`] of y ≥ 0 as a sum, high and low, that is yet to be rounded.
+/// The angle of the point (x, y), y ≥ 0, from the x axis: a multiple of 45° and the rest in radians, within π/8 and 1.5 ulp.
+///
+/// Half the arithmetic of [`atan2`], for numbers whose squares are normal; (0, 0) gives NaN.
 #[inline(always)]
-pub(crate) fn atan2_split<T: Real>(y: T, x: T) -> (T, T) {
-    let (high, low) = Reduced::new(y, x.abs()).radians();
-    let pi = T::pick(core::f64::consts::PI, core::f32::consts::PI);
-    let pi_low = T::pick(1.224_646_799_147_353_2e-16, -8.742_277_7e-8);
-    opened(high, low, pi, pi_low, x)
+pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
+    let width = x.abs();
+    let (low, high) = (min(y, width), max(y, width));
+    let middle = low > high * T::of(core::f64::consts::SQRT_2 - 1.0);
+    let tangent = select(middle, low - high, low) / select(middle, low + high, high);
+    let z = tangent * tangent;
+    let rest = tangent + tangent * z * z.polynomial(&ATAN);
+    let steep = y > width;
+    let m = select(middle, T::ONE, T::ZERO);
+    let (m, rest) = (select(steep, T::of(2.0) - m, m), select(steep, -rest, rest));
+    let back = x < T::ZERO;
+    (select(back, T::of(4.0) - m, m), select(back, -rest, rest))
 }
 
-/// The angle `high + low` of the first quadrant, or a half circle less it where x is negative; as a sum again.
+/// The angle `high + low` of the first quadrant, or a half circle less it where x is negative; rounded once.
 #[inline(always)]
-fn opened<T: Real>(high: T, low: T, half_circle: T, half_circle_low: T, x: T) -> (T, T) {
+fn opened<T: Real>(high: T, low: T, half_circle: T, half_circle_low: T, x: T) -> T {
     let rest = half_circle - high;
     let lost = (half_circle - rest) - high;
     let negative = T::ONE.copysign(x) < T::ZERO;
-    (
-        select(negative, rest, high),
-        select(negative, (lost + half_circle_low) - low, low),
-    )
+    select(negative, rest, high) + select(negative, (lost + half_circle_low) - low, low)
 }
 
 /// An angle of the first quadrant as a base angle, whose tangent is 0, ½, 1, 2 or ∞, and a remainder whose tangent is at

@@ -21,7 +21,7 @@ mod polynomial;
 mod sin_cos;
 mod tan;
 
-pub(crate) use atan::atan2_split;
+pub(crate) use atan::octant;
 pub use atan::{atan, atan2, atan2_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::Complex;

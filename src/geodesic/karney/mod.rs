@@ -101,13 +101,9 @@ impl<T: Real> Karney<T> {
     #[doc(hidden)]
     #[inline(always)]
     pub fn inverse_ordinary(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
-        let way = self.ordinary.inverse(from, to);
-        let inverse = Inverse {
-            distance: way.distance,
-            azimuth1: way.azimuth1,
-            azimuth2: way.azimuth2,
-        };
-        (inverse, way.ordinary)
+        let pair = self.ordinary.pair(from, to);
+        let way = self.ordinary.inverse::<false>(&pair);
+        (way.inverse, way.ordinary & !pair.nearly_antipodal() & self.ordinary.holds())
     }
 
     #[doc(hidden)]
@@ -132,6 +128,18 @@ impl<T: Real> Karney<T> {
     #[inline(never)]
     pub fn inverse_hard(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
         self.solve(from, to).inverse
+    }
+
+    #[doc(hidden)]
+    #[inline(never)]
+    pub fn inverse_far(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
+        if self.ordinary.holds() {
+            let way = self.ordinary.inverse::<true>(&self.ordinary.pair(from, to));
+            if way.ordinary {
+                return way.inverse;
+            }
+        }
+        self.inverse_hard(from, to)
     }
 
     /// The whole solution of the inverse problem.
@@ -183,8 +191,15 @@ impl<T: Real> Karney<T> {
 impl<T: Real> Geodesic<T> for Karney<T> {
     /// Never fails.
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        let (inverse, ordinary) = self.inverse_ordinary(from, to);
-        Ok(if ordinary { inverse } else { self.inverse_hard(from, to) })
+        let pair = self.ordinary.pair(from, to);
+        if self.ordinary.holds() && !pair.nearly_antipodal() {
+            let way = self.ordinary.inverse::<false>(&pair);
+            if way.ordinary {
+                return Ok(way.inverse);
+            }
+            return Ok(self.inverse_hard(from, to));
+        }
+        Ok(self.inverse_far(from, to))
     }
 
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
