@@ -11,9 +11,7 @@ use core::f64::consts::PI;
 
 use super::{Direct, Inverse};
 use super::degrees::{longitude_difference, off_pole, wrapped};
-use crate::math::{
-    Polynomial, max, octant, select, sin_cos, sin_cos_degrees, sin_cos_quarter, sin_eighth,
-};
+use crate::math::{Polynomial, halves, max, octant, select, sin_cos, sin_cos_degrees, sin_cos_quarter, sin_eighth};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// An ellipsoid as the straight lines need it.
@@ -42,9 +40,11 @@ pub(super) struct Way<T> {
 /// The great circle between two places for one ω.
 #[derive(Clone, Copy)]
 struct Arc<T> {
-    sin_omega: T,
-    /// 1 − cos ω.
-    versine: T,
+    /// sin σ times sine and cosine of the azimuths.
+    course1: (T, T),
+    course2: (T, T),
+    /// 1/sin²σ.
+    inverse_square: T,
     sin_sigma: T,
     cos_sigma: T,
     sin_alpha: T,
@@ -104,9 +104,8 @@ const ROUGH_ATAN: Polynomial<8, 6> = Polynomial {
 
 /// c₀ + c₁x + … of the first coefficients.
 #[inline(always)]
-fn horner<T: Real>(x: T, coefficients: &[T], terms: usize) -> T {
-    let used = coefficients.iter().take(terms).rev();
-    used.fold(T::ZERO, |sum, &c| sum * x + c)
+fn series<T: Real>(x: T, coefficients: &[T], terms: usize) -> T {
+    halves(x, terms, |i| coefficients.get(i).copied().unwrap_or(T::ZERO))
 }
 
 impl<T: Real> Ordinary<T> {
@@ -183,7 +182,6 @@ impl<T: Real> Ordinary<T> {
     /// The inverse problem between places that are not nearly antipodal, or between such as are.
     #[inline(always)]
     pub fn inverse<const FAR: bool>(&self, pair: &Pair<T>) -> Way<T> {
-        let one = T::ONE;
         let side = side::<T, FAR>();
         let ends = pair.ends::<FAR>();
         let rest = side * pair.rest;
@@ -208,27 +206,33 @@ impl<T: Real> Ordinary<T> {
         let high = eighths * T::pick(core::f64::consts::FRAC_PI_4, 0.785_398);
         let low = eighths * T::pick(3.061_616_997_868_383e-17, 1.569_582_4e-7) + small;
         let sigma = high + low;
-        let factor = horner(arc.square, &self.epsilon, T::terms(7, 3));
+        let factor = series(arc.square, &self.epsilon, T::terms(7, 3));
         let epsilon = arc.square * factor;
         let waves = waves(epsilon, factor * arc.middle, (arc.sin_sigma, arc.cos_sigma));
         let integral = self.i3(epsilon, sigma, waves);
         let excess = (rest - grown) + side * (self.f * (arc.sin_alpha * integral));
         let step = excess / self.slope(&arc, integral, sigma);
 
-        let sin_omega = arc.sin_omega + step * (one - arc.versine);
-        let versine = arc.versine + step * arc.sin_omega;
-        let [course1, course2] = ends.courses(sin_omega, versine);
-        let azimuth = |(sin, cos): (T, T)| {
-            angle_degrees(sin * pair.east + T::ZERO, select(pair.swap, -cos, cos))
+        // The azimuths of this triangle, and what the step turns them by.
+        let turn = side * step * arc.inverse_square;
+        let (course1, course2) = (arc.course1, arc.course2);
+        let turns = (turn * (ends.beta2.1 * course2.1), turn * (ends.beta1.1 * course1.1));
+        let azimuth = |(sin, cos): (T, T), turn: T| {
+            let (eighths, small) = octant(sin, cos);
+            let small = small + turn;
+            let eighths = select(pair.swap, T::of(4.0) - eighths, eighths);
+            let small = select(pair.swap, -small, small);
+            (eighths * T::of(45.0) + small * T::of(180.0 / PI)).copysign(sin * pair.east + T::ZERO)
         };
+        let (alpha1, alpha2) = (azimuth(course1, turns.0), azimuth(course2, turns.1));
 
         let b1 = c1(epsilon, waves);
         let more = b1 + a1_less_1(epsilon) * (sigma + b1) + side * (arc.sin_alpha * excess / self.axes);
         Way {
             inverse: Inverse {
                 distance: self.b * (high + (low + more)),
-                azimuth1: azimuth(select(pair.swap, course2, course1)),
-                azimuth2: azimuth(select(pair.swap, course1, course2)),
+                azimuth1: select(pair.swap, alpha2, alpha1),
+                azimuth2: select(pair.swap, alpha1, alpha2),
             },
             // Also false for NaN: coincident places.
             ordinary: (step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5))
@@ -266,7 +270,7 @@ impl<T: Real> Ordinary<T> {
         let sin_alpha = sin_azimuth * cos1;
         let across = sin_azimuth * sin1;
         let square = cos_azimuth * cos_azimuth + across * across;
-        let factor = horner(square, &self.epsilon, T::terms(7, 3));
+        let factor = series(square, &self.epsilon, T::terms(7, 3));
         let epsilon = factor * square;
         let epsilon2 = epsilon * epsilon;
         // cos α₀ times sine and cosine of an arc from the node; of its double, times ε.
@@ -306,10 +310,10 @@ impl<T: Real> Ordinary<T> {
     /// f sin α₀ I₃ but for 1e-9, and the derivative of ω less it.
     #[inline(always)]
     fn rough_shift(&self, arc: &Arc<T>, sigma: T) -> (T, T) {
-        let factor = horner(arc.square, &self.epsilon, T::terms(3, 2));
+        let factor = series(arc.square, &self.epsilon, T::terms(3, 2));
         let epsilon = factor * arc.square;
         let wave = factor * arc.middle * arc.sin_sigma;
-        let integral = sigma * horner(epsilon, &self.a3, 3) + wave * horner(epsilon, &self.c3, T::terms(2, 1));
+        let integral = sigma * series(epsilon, &self.a3, 3) + wave * series(epsilon, &self.c3, 2);
         let slope = T::ONE - self.f * (arc.bend * integral + arc.sin_alpha * arc.sin_alpha);
         (self.f * (arc.sin_alpha * integral), slope)
     }
@@ -324,7 +328,7 @@ impl<T: Real> Ordinary<T> {
         } else {
             (c11 + epsilon * c12) * w1
         };
-        sigma * horner(epsilon, &self.a3, T::terms(5, 3)) + sum
+        sigma * series(epsilon, &self.a3, T::terms(5, 3)) + sum
     }
 
     /// The derivative of ω − f sin α₀ I₃ by ω, but for f ε².
@@ -397,15 +401,18 @@ impl<T: Real, const FAR: bool> Ends<T, FAR> {
         let versine = twice * sin_half;
         let sines = side * (sin1 * sin2);
         let level = side * (cos1 * cos2 * (T::ONE - versine));
-        let (east, north) = (cos2 * sin_omega, self.rise + sin1 * cos2 * versine);
-        let sin_sigma = (east * east + north * north).sqrt();
+        let course1 = (cos2 * sin_omega, self.rise + sin1 * cos2 * versine);
+        let course2 = (cos1 * sin_omega, side * (self.rise - sin2 * cos1 * versine));
+        let square = course1.0 * course1.0 + course1.1 * course1.1;
+        let (sin_sigma, inverse_square) = (square.sqrt(), T::ONE / square);
+        let inverse = sin_sigma * inverse_square;
         let cos_sigma = sines + level;
-        let inverse = T::ONE / sin_sigma;
-        let sin_alpha = cos1 * east * inverse;
+        let sin_alpha = cos1 * course1.0 * inverse;
         let square = T::ONE - sin_alpha * sin_alpha;
         Arc {
-            sin_omega,
-            versine,
+            course1,
+            course2,
+            inverse_square,
             sin_sigma,
             cos_sigma,
             sin_alpha,
@@ -413,19 +420,6 @@ impl<T: Real, const FAR: bool> Ends<T, FAR> {
             bend: (level - sin_alpha * sin_alpha * cos_sigma) * inverse,
             middle: square * cos_sigma - (sines + sines),
         }
-    }
-
-    /// sin σ times sine and cosine of both azimuths, from those of ω.
-    #[inline(always)]
-    fn courses(&self, sin_omega: T, versine: T) -> [(T, T); 2] {
-        let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
-        [
-            (cos2 * sin_omega, self.rise + sin1 * cos2 * versine),
-            (
-                cos1 * sin_omega,
-                side::<T, FAR>() * (self.rise - sin2 * cos1 * versine),
-            ),
-        ]
     }
 }
 
@@ -441,9 +435,12 @@ impl<T: Real> Arc<T> {
             let curve = of(1.0 / 6.0) + z * (of(3.0 / 40.0) + z * (of(15.0 / 336.0) + z * of(105.0 / 3456.0)));
             return of(PI) - (s + s * z * curve);
         }
-        // tan σ/2, or of the supplement.
-        let t = self.sin_sigma / (T::ONE + self.cos_sigma.abs());
-        let angle = (t + t) * (t * t).polynomial(&ROUGH_ATAN);
+        // tan σ/2, or of the supplement; its square without waiting for the root in sin σ.
+        let cos = self.cos_sigma.abs();
+        let reciprocal = T::ONE / (T::ONE + cos);
+        let (t, z) = (self.sin_sigma * reciprocal, (T::ONE - cos) * reciprocal);
+        let curve = halves(z, T::terms(8, 6), |i| T::coefficient(&ROUGH_ATAN, i));
+        let angle = (t + t) * curve;
         select(self.cos_sigma < T::ZERO, of(PI) - angle, angle)
     }
 }
@@ -525,14 +522,14 @@ fn sines<T: Real, const N: usize>(c: [T; N], terms: usize, square: T, (sin, cos)
 #[inline(always)]
 fn inverse_a1_less_1<T: Real>(epsilon: T) -> T {
     let coefficients = [-1.0, -1.0 / 4.0, 1.0 / 4.0, 3.0 / 64.0, -3.0 / 64.0, -3.0 / 256.0].map(T::of);
-    epsilon * horner(epsilon, &coefficients, T::terms(6, 3))
+    epsilon * series(epsilon, &coefficients, T::terms(6, 3))
 }
 
 /// A₁ − 1 = (1 + ε²/4 + ε⁴/64 + ε⁶/256)/(1 − ε) − 1.
 #[inline(always)]
 fn a1_less_1<T: Real>(epsilon: T) -> T {
     let coefficients = [1.0, 1.25, 1.25, 81.0 / 64.0, 81.0 / 64.0, 325.0 / 256.0].map(T::of);
-    epsilon * horner(epsilon, &coefficients, T::terms(6, 3))
+    epsilon * series(epsilon, &coefficients, T::terms(6, 3))
 }
 
 /// Sine and cosine of an angle, given so, and a small one in radians, below 0.02.

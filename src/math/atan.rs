@@ -1,5 +1,5 @@
 use super::minimax::ATAN;
-use super::{max, min, select};
+use super::{halves, max, min, select};
 use crate::Real;
 
 /// Arc tangent in radians, in [−π/2, π/2].
@@ -57,7 +57,8 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
     let middle = low > high * T::of(core::f64::consts::SQRT_2 - 1.0);
     let tangent = select(middle, low - high, low) / select(middle, low + high, high);
     let z = tangent * tangent;
-    let rest = tangent + tangent * z * z.polynomial(&ATAN);
+    let curve = halves(z, T::terms(ATAN.f64.len(), ATAN.f32.len()), |i| T::coefficient(&ATAN, i));
+    let rest = tangent + tangent * z * curve;
     let steep = y > width;
     let m = select(middle, T::ONE, T::ZERO);
     let (m, rest) = (select(steep, T::of(2.0) - m, m), select(steep, -rest, rest));

@@ -27,7 +27,7 @@ pub use cbrt::cbrt;
 pub(crate) use complex::Complex;
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
-pub(crate) use polynomial::odd_unit;
+pub(crate) use polynomial::{halves, odd_unit};
 pub use sin_cos::{sin_cos, sin_cos_degrees};
 pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_quarter, sin_cos_small, sin_eighth};
 pub use tan::tan;
