@@ -9,8 +9,9 @@
 
 use core::f64::consts::PI;
 
+use super::degrees::{Split, off_pole, wrapped};
+use super::karney::Series;
 use super::{Direct, Inverse};
-use super::degrees::{longitude_difference, off_pole, wrapped};
 use crate::math::{Polynomial, halves, max, octant, select, sin_cos, sin_cos_degrees, sin_cos_quarter, sin_eighth};
 use crate::{Ellipsoid, LatLon, Real};
 
@@ -29,13 +30,8 @@ pub(super) struct Ordinary<T> {
     c3: [T; 10],
 }
 
-/// The answer of a straight line.
-#[derive(Clone, Copy)]
-pub(super) struct Way<T> {
-    pub inverse: Inverse<T>,
-    /// Whether it is one.
-    pub ordinary: bool,
-}
+/// The answer of a straight line, and whether it is one.
+type Answer<A> = (A, bool);
 
 /// The great circle between two places for one ω.
 #[derive(Clone, Copy)]
@@ -58,7 +54,7 @@ struct Arc<T> {
 
 /// The places of an inverse problem, the one of greater latitude first: of both directions of a line the same is solved.
 #[derive(Clone, Copy)]
-pub(super) struct Pair<T> {
+struct Pair<T> {
     lat1: T,
     lat2: T,
     /// Sine and cosine of the parametric latitudes.
@@ -99,7 +95,14 @@ const ROUGH_ATAN: Polynomial<8, 6> = Polynomial {
         0.023_780_518_597_2,
         -0.004_559_791_986_13,
     ],
-    f32: [0.999_994_8, -0.332_957_1, 0.195_346_6, -0.120_448_59, 0.056_589_99, -0.013_130_382],
+    f32: [
+        0.999_994_8,
+        -0.332_957_1,
+        0.195_346_6,
+        -0.120_448_59,
+        0.056_589_99,
+        -0.013_130_382,
+    ],
 };
 
 /// c₀ + c₁x + … of the first coefficients.
@@ -109,8 +112,9 @@ fn series<T: Real>(x: T, coefficients: &[T], terms: usize) -> T {
 }
 
 impl<T: Real> Ordinary<T> {
-    /// From the ellipsoid and the series of its longitude, A₃ by powers of ε and A₃C₃ₗ/ε^l by rows.
-    pub fn new(ellipsoid: Ellipsoid<T>, a3: [T; 5], c3: [T; 10]) -> Self {
+    /// From the ellipsoid and the series of its longitude.
+    pub fn new(ellipsoid: Ellipsoid<T>, series: &Series<T>) -> Self {
+        let (a3, c3) = series.low_orders();
         let ep2 = ellipsoid.ep2();
         let f = ellipsoid.f();
         // ε = k²/(1 + √(1 + k²))² by powers of k² = e'² cos²α₀.
@@ -140,7 +144,7 @@ impl<T: Real> Ordinary<T> {
 
     /// Whether the straight lines hold on this ellipsoid.
     #[inline(always)]
-    pub fn holds(&self) -> bool {
+    fn holds(&self) -> bool {
         // Room for the rounding of 1/150.
         self.f.abs() < T::of(1.0 / 149.0)
     }
@@ -154,12 +158,46 @@ impl<T: Real> Ordinary<T> {
         ((sin * inverse, cos * inverse), inverse)
     }
 
+    /// The inverse problem, if there is a straight line for it.
+    #[inline]
+    pub fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Option<Inverse<T>> {
+        if !self.holds() {
+            return None;
+        }
+        let pair = self.pair(from, to);
+        if pair.nearly_antipodal() {
+            return self.far_inverse(&pair);
+        }
+        let (inverse, found) = self.line::<false>(&pair);
+        found.then_some(inverse)
+    }
+
+    /// The inverse problem without a branch; not found between nearly antipodal places.
+    #[inline(always)]
+    pub fn near_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Answer<Inverse<T>> {
+        let pair = self.pair(from, to);
+        let (inverse, found) = self.line::<false>(&pair);
+        (inverse, found & !pair.nearly_antipodal() & self.holds())
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn far_inverse(&self, pair: &Pair<T>) -> Option<Inverse<T>> {
+        let (inverse, found) = self.line::<true>(pair);
+        found.then_some(inverse)
+    }
+
     /// The places of an inverse problem.
     #[inline(always)]
-    pub fn pair(&self, from: LatLon<T>, to: LatLon<T>) -> Pair<T> {
-        let difference = longitude_difference(from, to);
-        let east = T::ONE.copysign(difference.angle);
-        let lon = difference.angle.abs();
+    fn pair(&self, from: LatLon<T>, to: LatLon<T>) -> Pair<T> {
+        // From 0 to 180°, and what its rounding lost.
+        let Split { angle, rest } = Split::sum(to.lon() + T::ZERO, -from.lon());
+        let (around, east) = (angle.abs(), T::ONE.copysign(angle));
+        let over = around > T::of(180.0);
+        let lon = select(over, T::of(360.0) - around, around);
+        let rest = rest * east;
+        let rest = select(over, -rest, rest);
+        let east = select(over, -east, east);
         let swap = from.lat().abs() < to.lat().abs();
         let lat1 = select(swap, to.lat(), from.lat());
         let lat2 = select(swap, from.lat(), to.lat());
@@ -173,25 +211,27 @@ impl<T: Real> Ordinary<T> {
             scale: self.axes * inverse1 * inverse2,
             lon,
             half: sin_cos_quarter(lon * T::of(0.5)),
-            rest: difference.rest * east * T::of(PI / 180.0),
+            rest: rest * T::of(PI / 180.0),
             east,
             swap,
         }
     }
 
-    /// The inverse problem between places that are not nearly antipodal, or between such as are.
+    /// The line between places that are not nearly antipodal, or between such as are.
     #[inline(always)]
-    pub fn inverse<const FAR: bool>(&self, pair: &Pair<T>) -> Way<T> {
+    fn line<const FAR: bool>(&self, pair: &Pair<T>) -> Answer<Inverse<T>> {
         let side = side::<T, FAR>();
         let ends = pair.ends::<FAR>();
         let rest = side * pair.rest;
         // ω less the angle that `half` stands for.
-        let mut grown = rest;
-        if FAR {
+        let mut grown = T::ZERO;
+        let mut arc = if FAR {
             let lon = (T::of(180.0) - pair.lon) * T::of(PI / 180.0) + rest;
             grown = rest - self.narrowed(&ends, lon);
-        }
-        let mut arc = ends.arc(grown);
+            ends.arc(grow(ends.half, grown * T::of(0.5)))
+        } else {
+            ends.arc(ends.half)
+        };
         let mut sigma = arc.rough_sigma::<FAR>();
         for _ in 0..T::terms(2, 1) {
             let (shift, slope) = self.rough_shift(&arc, sigma);
@@ -199,26 +239,29 @@ impl<T: Real> Ordinary<T> {
             let turn = side * step;
             sigma += turn * (arc.sin_alpha + T::of(0.5) * arc.bend * turn);
             grown += step;
-            arc = ends.arc(grown);
+            arc = ends.arc(grow(ends.half, grown * T::of(0.5)));
         }
+        let factor = series(arc.square, &self.epsilon, T::terms(7, 3));
+        let epsilon = arc.square * factor;
+        let waves = waves(epsilon, factor * arc.middle, (arc.sin_sigma, arc.cos_sigma));
+        let (a3, bend) = self.i3(epsilon, waves);
+        // For the slope σ is known well enough.
+        let slope = T::ONE / self.slope(&arc, a3 * sigma + bend, sigma);
         let (eighths, small) = octant(arc.sin_sigma, arc.cos_sigma);
         // π/4 in two parts, the first so short that four times it is exact.
         let high = eighths * T::pick(core::f64::consts::FRAC_PI_4, 0.785_398);
         let low = eighths * T::pick(3.061_616_997_868_383e-17, 1.569_582_4e-7) + small;
         let sigma = high + low;
-        let factor = series(arc.square, &self.epsilon, T::terms(7, 3));
-        let epsilon = arc.square * factor;
-        let waves = waves(epsilon, factor * arc.middle, (arc.sin_sigma, arc.cos_sigma));
-        let integral = self.i3(epsilon, sigma, waves);
-        let excess = (rest - grown) + side * (self.f * (arc.sin_alpha * integral));
-        let step = excess / self.slope(&arc, integral, sigma);
+        let rate = side * (self.f * arc.sin_alpha);
+        let excess = ((rest - grown) + rate * bend) + rate * a3 * sigma;
+        let step = excess * slope;
 
         // The azimuths of this triangle, and what the step turns them by.
         let turn = side * step * arc.inverse_square;
         let (course1, course2) = (arc.course1, arc.course2);
         let turns = (turn * (ends.beta2.1 * course2.1), turn * (ends.beta1.1 * course1.1));
         let azimuth = |(sin, cos): (T, T), turn: T| {
-            let (eighths, small) = octant(sin, cos);
+            let (eighths, small) = octant(sin.abs(), cos);
             let small = small + turn;
             let eighths = select(pair.swap, T::of(4.0) - eighths, eighths);
             let small = select(pair.swap, -small, small);
@@ -228,16 +271,14 @@ impl<T: Real> Ordinary<T> {
 
         let b1 = c1(epsilon, waves);
         let more = b1 + a1_less_1(epsilon) * (sigma + b1) + side * (arc.sin_alpha * excess / self.axes);
-        Way {
-            inverse: Inverse {
-                distance: self.b * (high + (low + more)),
-                azimuth1: select(pair.swap, alpha2, alpha1),
-                azimuth2: select(pair.swap, alpha1, alpha2),
-            },
-            // Also false for NaN: coincident places.
-            ordinary: (step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5))
-                & (arc.sin_sigma > T::pick(1e-100, 1e-15)),
-        }
+        let inverse = Inverse {
+            distance: self.b * (high + (low + more)),
+            azimuth1: select(pair.swap, alpha2, alpha1),
+            azimuth2: select(pair.swap, alpha1, alpha2),
+        };
+        // Also false for NaN, which coincident places give.
+        let settled = step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5);
+        (inverse, settled & (arc.sin_sigma > T::pick(1e-100, 1e-15)))
     }
 
     /// How much shorter ω is than λ near the antipode, but for a hundredth: λ − x of x + K sin α₀/cos β₁ = λ with the triangle taken as flat.
@@ -252,18 +293,19 @@ impl<T: Real> Ordinary<T> {
         for _ in 0..2 {
             // Halley's steps; the larger of two lower bounds comes first.
             let q = x * x + square;
-            let inverse = T::ONE / (q * q.sqrt());
-            let excess = (x - lon) + reach * (x * (q * inverse));
-            let slope = T::ONE + reach * (square * inverse);
-            let bend = T::of(1.5) * reach * (square * (x * inverse)) / q;
-            x += -excess * slope / (slope * slope + excess * bend);
+            let reciprocal = T::ONE / q;
+            let pull = reach * (q.sqrt() * reciprocal);
+            let excess = (x - lon) + x * pull;
+            let narrow = pull * (square * reciprocal);
+            let slope = T::ONE + narrow;
+            x += -excess * slope / (slope * slope + excess * (narrow * (T::of(1.5) * x * reciprocal)));
         }
         lon - x
     }
 
-    /// The direct problem: the place, the azimuth there, and whether this is the answer, which it is but after very many circuits.
+    /// The direct problem; not found after very many circuits.
     #[inline(always)]
-    pub fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+    pub fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Answer<Direct<T>> {
         let (sin_azimuth, cos_azimuth) = sin_cos_degrees(azimuth);
         let ((sin1, cos1), _) = self.parametric(from.lat());
         let cos1 = off_pole(cos1);
@@ -296,7 +338,8 @@ impl<T: Real> Ordinary<T> {
         let up = sin1 * cos + along * sin;
         let north = along * cos - sin1 * sin;
         let waves = waves(epsilon, twice.1 * cos - twice.0 * sin, (sin, cos));
-        let shift = self.f * (sin_alpha * self.i3(epsilon, sigma, waves));
+        let (a3, bend) = self.i3(epsilon, waves);
+        let shift = self.f * (sin_alpha * (a3 * sigma + bend));
         let lon = angle_degrees(east, outward) - shift * T::of(180.0 / PI);
         let lat = angle_degrees(up, self.axes * (east * east + outward * outward).sqrt());
         let there = Direct {
@@ -318,9 +361,9 @@ impl<T: Real> Ordinary<T> {
         (self.f * (arc.sin_alpha * integral), slope)
     }
 
-    /// I₃ between the ends.
+    /// A₃, and I₃ less A₃σ between the ends.
     #[inline(always)]
-    fn i3(&self, epsilon: T, sigma: T, [w1, w2, w3, w4, _]: [T; 5]) -> T {
+    fn i3(&self, epsilon: T, [w1, w2, w3, w4, _]: [T; 5]) -> (T, T) {
         let [c11, c12, c13, c14, c22, c23, c24, c33, c34, c44] = self.c3;
         let sum = if T::terms(4, 2) == 4 {
             ((c44 * w4 + (c33 + epsilon * c34) * w3) + (c22 + epsilon * (c23 + epsilon * c24)) * w2)
@@ -328,7 +371,7 @@ impl<T: Real> Ordinary<T> {
         } else {
             (c11 + epsilon * c12) * w1
         };
-        sigma * series(epsilon, &self.a3, T::terms(5, 3)) + sum
+        (series(epsilon, &self.a3, T::terms(5, 3)), sum)
     }
 
     /// The derivative of ω − f sin α₀ I₃ by ω, but for f ε².
@@ -359,11 +402,11 @@ fn side<T: Real, const FAR: bool>() -> T {
 impl<T: Real> Pair<T> {
     /// Whether the places are so nearly antipodal, 172° apart or more, that ω turns the line faster than λ tells it.
     #[inline(always)]
-    pub fn nearly_antipodal(&self) -> bool {
+    fn nearly_antipodal(&self) -> bool {
         let (sin_half, _) = self.half;
         let cos_lambda = T::ONE - (sin_half + sin_half) * sin_half;
         let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
-        sin1 * sin2 + cos1 * cos2 * cos_lambda < T::of(-0.99)
+        sin1 * sin2 + cos1 * cos2 * cos_lambda < T::of(-0.985)
     }
 
     #[inline(always)]
@@ -390,12 +433,11 @@ impl<T: Real> Pair<T> {
 }
 
 impl<T: Real, const FAR: bool> Ends<T, FAR> {
-    /// The great circle for an ω that is longer by so much, a small angle.
+    /// The great circle for an ω, given by sine and cosine of its half.
     #[inline(always)]
-    fn arc(&self, grown: T) -> Arc<T> {
+    fn arc(&self, (sin_half, cos_half): (T, T)) -> Arc<T> {
         let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
         let side = side::<T, FAR>();
-        let (sin_half, cos_half) = grow(self.half, grown * T::of(0.5));
         let twice = sin_half + sin_half;
         let sin_omega = twice * cos_half;
         let versine = twice * sin_half;

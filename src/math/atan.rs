@@ -57,7 +57,9 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
     let middle = low > high * T::of(core::f64::consts::SQRT_2 - 1.0);
     let tangent = select(middle, low - high, low) / select(middle, low + high, high);
     let z = tangent * tangent;
-    let curve = halves(z, T::terms(ATAN.f64.len(), ATAN.f32.len()), |i| T::coefficient(&ATAN, i));
+    let curve = halves(z, T::terms(ATAN.f64.len(), ATAN.f32.len()), |i| {
+        T::coefficient(&ATAN, i)
+    });
     let rest = tangent + tangent * z * curve;
     let steep = y > width;
     let m = select(middle, T::ONE, T::ZERO);

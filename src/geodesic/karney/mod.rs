@@ -17,7 +17,7 @@ mod series;
 
 use angle::Angle;
 use inverse::{Canonical, tiny};
-use series::Series;
+pub(super) use series::Series;
 
 pub use area::Area;
 pub use line::{Line, LinePoint};
@@ -88,11 +88,10 @@ impl<T: Real> Karney<T> {
         let size = max(T::of(0.001), f.abs());
         let narrow = if f > T::ZERO { T::ONE - half * f } else { T::ONE };
         let series = Series::new(ellipsoid);
-        let (a3, c3) = series.low_orders();
         Ok(Self {
             ellipsoid,
             series,
-            ordinary: Ordinary::new(ellipsoid, a3, c3),
+            ordinary: Ordinary::new(ellipsoid, &series),
             axes: T::ONE - f,
             short: T::of(0.1) * T::EPSILON.sqrt() / (half * size * narrow).sqrt(),
         })
@@ -101,9 +100,7 @@ impl<T: Real> Karney<T> {
     #[doc(hidden)]
     #[inline(always)]
     pub fn inverse_ordinary(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
-        let pair = self.ordinary.pair(from, to);
-        let way = self.ordinary.inverse::<false>(&pair);
-        (way.inverse, way.ordinary & !pair.nearly_antipodal() & self.ordinary.holds())
+        self.ordinary.near_inverse(from, to)
     }
 
     #[doc(hidden)]
@@ -112,34 +109,20 @@ impl<T: Real> Karney<T> {
         self.ordinary.direct(from, azimuth, distance)
     }
 
-    #[doc(hidden)]
     #[cold]
     #[inline(never)]
-    pub fn direct_hard(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
+    fn hard_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
+        self.solve(from, to).inverse
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn hard_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let point = self.line(from, azimuth)?.at(distance)?;
         Ok(Direct {
             position: point.position,
             azimuth: point.azimuth,
         })
-    }
-
-    #[doc(hidden)]
-    #[cold]
-    #[inline(never)]
-    pub fn inverse_hard(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
-        self.solve(from, to).inverse
-    }
-
-    #[doc(hidden)]
-    #[inline(never)]
-    pub fn inverse_far(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
-        if self.ordinary.holds() {
-            let way = self.ordinary.inverse::<true>(&self.ordinary.pair(from, to));
-            if way.ordinary {
-                return way.inverse;
-            }
-        }
-        self.inverse_hard(from, to)
     }
 
     /// The whole solution of the inverse problem.
@@ -190,24 +173,18 @@ impl<T: Real> Karney<T> {
 
 impl<T: Real> Geodesic<T> for Karney<T> {
     /// Never fails.
+    #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        let pair = self.ordinary.pair(from, to);
-        if self.ordinary.holds() && !pair.nearly_antipodal() {
-            let way = self.ordinary.inverse::<false>(&pair);
-            if way.ordinary {
-                return Ok(way.inverse);
-            }
-            return Ok(self.inverse_hard(from, to));
-        }
-        Ok(self.inverse_far(from, to))
+        let inverse = self.ordinary.inverse(from, to);
+        Ok(inverse.unwrap_or_else(|| self.hard_inverse(from, to)))
     }
 
+    #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let (there, ordinary) = self.direct_ordinary(from, azimuth, distance);
-        if ordinary {
-            Ok(there)
-        } else {
-            self.direct_hard(from, azimuth, distance)
+        let (there, found) = self.ordinary.direct(from, azimuth, distance);
+        if found {
+            return Ok(there);
         }
+        self.hard_direct(from, azimuth, distance)
     }
 }

@@ -8,7 +8,7 @@ pub(super) type Row<T> = [T; table::ORDER.0];
 /// The series of the geodesic integrals for one ellipsoid (Karney 2013, §§3, 4, 6; orders and tables from `geodesic.py`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Series<T> {
+pub struct Series<T> {
     /// Terms that reach rounding for this flattening.
     order: usize,
     /// A₃ by powers of ε.
