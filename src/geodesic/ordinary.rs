@@ -12,7 +12,7 @@ use core::f64::consts::PI;
 use super::degrees::{Split, off_pole, wrapped};
 use super::karney::Series;
 use super::{Direct, Inverse};
-use crate::math::{Polynomial, halves, max, octant, select, sin_cos, sin_cos_degrees, sin_cos_quarter, sin_eighth};
+use crate::math::{Polynomial, halves, max, octant, select, sin_cos, sin_cos_degrees, sin_cos_eighth, sin_cos_quarter};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// An ellipsoid as the straight lines need it.
@@ -222,16 +222,14 @@ impl<T: Real> Ordinary<T> {
     fn line<const FAR: bool>(&self, pair: &Pair<T>) -> Answer<Inverse<T>> {
         let side = side::<T, FAR>();
         let ends = pair.ends::<FAR>();
-        let rest = side * pair.rest;
-        // ω less the angle that `half` stands for.
-        let mut grown = T::ZERO;
-        let mut arc = if FAR {
-            let lon = (T::of(180.0) - pair.lon) * T::of(PI / 180.0) + rest;
-            grown = rest - self.narrowed(&ends, lon);
-            ends.arc(grow(ends.half, grown * T::of(0.5)))
+        // ω is what `half` stands for and so much more; near the antipode, where every digit of it counts, all of it.
+        let (rest, mut grown) = if FAR {
+            let lon = (T::of(180.0) - pair.lon) * T::of(PI / 180.0) - pair.rest;
+            (lon, self.flat_triangle(&ends, lon))
         } else {
-            ends.arc(ends.half)
+            (pair.rest, T::ZERO)
         };
+        let mut arc = ends.arc(if FAR { ends.half(grown) } else { pair.half });
         let mut sigma = arc.rough_sigma::<FAR>();
         for _ in 0..T::terms(2, 1) {
             let (shift, slope) = self.rough_shift(&arc, sigma);
@@ -239,7 +237,7 @@ impl<T: Real> Ordinary<T> {
             let turn = side * step;
             sigma += turn * (arc.sin_alpha + T::of(0.5) * arc.bend * turn);
             grown += step;
-            arc = ends.arc(grow(ends.half, grown * T::of(0.5)));
+            arc = ends.arc(ends.half(grown));
         }
         let factor = series(arc.square, &self.epsilon, T::terms(7, 3));
         let epsilon = arc.square * factor;
@@ -278,12 +276,13 @@ impl<T: Real> Ordinary<T> {
         };
         // Also false for NaN, which coincident places give.
         let settled = step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5);
-        (inverse, settled & (arc.sin_sigma > T::pick(1e-100, 1e-15)))
+        let within = !FAR | (pair.lon >= T::of(90.0));
+        (inverse, settled & within & (arc.sin_sigma > T::pick(1e-100, 1e-15)))
     }
 
-    /// How much shorter ω is than λ near the antipode, but for a hundredth: λ − x of x + K sin α₀/cos β₁ = λ with the triangle taken as flat.
+    /// ω near the antipode but for a hundredth, from λ = ω + π f sin α₀ with the triangle taken as flat.
     #[inline(always)]
-    fn narrowed<const FAR: bool>(&self, ends: &Ends<T, FAR>, lon: T) -> T {
+    fn flat_triangle<const FAR: bool>(&self, ends: &Ends<T, FAR>, lon: T) -> T {
         let (_, cos1) = ends.beta1;
         let (_, cos2) = ends.beta2;
         let reach = T::of(PI) * self.f * cos1;
@@ -300,7 +299,7 @@ impl<T: Real> Ordinary<T> {
             let slope = T::ONE + narrow;
             x += -excess * slope / (slope * slope + excess * (narrow * (T::of(1.5) * x * reciprocal)));
         }
-        lon - x
+        x
     }
 
     /// The direct problem; not found after very many circuits.
@@ -414,25 +413,27 @@ impl<T: Real> Pair<T> {
         let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
         let side = side::<T, FAR>();
         let apart = self.lat2 - side * self.lat1;
-        let (sin_half, cos_half) = self.half;
         Ends {
             beta1: (side * sin1, cos1),
             beta2: (sin2, cos2),
             rise: select(
                 apart.abs() <= T::of(45.0),
-                sin_eighth(apart) * self.scale,
+                sin_cos_eighth(apart * T::of(PI / 180.0)).0 * self.scale,
                 sin2 * cos1 - cos2 * (side * sin1),
             ),
-            half: if FAR {
-                (cos_half, sin_half)
-            } else {
-                (sin_half, cos_half)
-            },
+            half: self.half,
         }
     }
 }
 
 impl<T: Real, const FAR: bool> Ends<T, FAR> {
+    /// Sine and cosine of half of ω, from how much longer it is than λ; near the antipode from itself, to a quarter of the circle.
+    #[inline(always)]
+    fn half(&self, grown: T) -> (T, T) {
+        let by = grown * T::of(0.5);
+        if FAR { sin_cos_eighth(by) } else { grow(self.half, by) }
+    }
+
     /// The great circle for an ω, given by sine and cosine of its half.
     #[inline(always)]
     fn arc(&self, (sin_half, cos_half): (T, T)) -> Arc<T> {

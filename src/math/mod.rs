@@ -29,7 +29,7 @@ pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, V
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::{halves, odd_unit};
 pub use sin_cos::{sin_cos, sin_cos_degrees};
-pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_quarter, sin_cos_small, sin_eighth};
+pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_eighth, sin_cos_quarter, sin_cos_small};
 pub use tan::tan;
 
 use crate::Real;

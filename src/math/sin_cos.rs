@@ -105,24 +105,17 @@ fn reduced<T: Real>(x: T, low: T, lost: T) -> [(T, T); 2] {
 #[inline(always)]
 pub(crate) fn sin_cos_quarter<T: Real>(x: T) -> (T, T) {
     let upper = x > T::of(45.0);
-    let rest = select(upper, T::of(90.0) - x, x) * T::of(core::f64::consts::PI / 180.0);
-    let z = rest * rest;
-    let sin = sine(rest, z);
-    let cos = T::ONE - (T::of(0.5) * z - z * z * halves(z, T::terms(6, 3), |i| T::coefficient(&COS, i)));
+    let (sin, cos) = sin_cos_eighth(select(upper, T::of(90.0) - x, x) * T::of(core::f64::consts::PI / 180.0));
     (select(upper, cos, sin), select(upper, sin, cos))
 }
 
-/// Sine of |x| ≤ 45 degrees, within 1.5 ulp.
+/// Sine and cosine of |x| ≤ π/4, within 1 ulp, by a shorter chain than [`sin_cos_small`].
 #[inline(always)]
-pub(crate) fn sin_eighth<T: Real>(x: T) -> T {
-    let x = x * T::of(core::f64::consts::PI / 180.0);
-    sine(x, x * x)
-}
-
-/// Sine of |x| ≤ π/4 from x and x².
-#[inline(always)]
-fn sine<T: Real>(x: T, z: T) -> T {
-    x + x * z * halves(z, T::terms(6, 4), |i| T::coefficient(&SIN, i))
+pub(crate) fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
+    let z = x * x;
+    let sin = x + x * z * halves(z, T::terms(6, 4), |i| T::coefficient(&SIN, i));
+    let cos = T::ONE - (T::of(0.5) * z - z * z * halves(z, T::terms(6, 3), |i| T::coefficient(&COS, i)));
+    (sin, cos)
 }
 
 /// Sine and cosine of |x| ≤ π/4, without a reduction.
