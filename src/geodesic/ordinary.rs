@@ -166,7 +166,12 @@ impl<T: Real> Ordinary<T> {
         }
         let pair = self.pair(from, to);
         if pair.nearly_antipodal() {
-            return self.far_inverse(&pair);
+            // On a prolate ellipsoid there are several solutions.
+            return if self.f < T::ZERO {
+                None
+            } else {
+                self.far_inverse(&pair)
+            };
         }
         let (inverse, found) = self.line::<false>(&pair);
         found.then_some(inverse)

@@ -49,13 +49,14 @@ pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
 
 /// The angle of the point (x, y), y ≥ 0, from the x axis: a multiple of 45° and the rest in radians, within π/8 and 1.5 ulp.
 ///
-/// Half the arithmetic of [`atan2`], for numbers whose squares are normal; (0, 0) gives NaN.
+/// Half the arithmetic of [`atan2`], for numbers whose squares are normal; (0, 0) gives 0.
 #[inline(always)]
 pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
     let width = x.abs();
     let (low, high) = (min(y, width), max(y, width));
     let middle = low > high * T::of(core::f64::consts::SQRT_2 - 1.0);
-    let tangent = select(middle, low - high, low) / select(middle, low + high, high);
+    let least = T::pick(1e-300, 1e-37);
+    let tangent = select(middle, low - high, low) / max(select(middle, low + high, high), least);
     let z = tangent * tangent;
     let curve = halves(z, T::terms(ATAN.f64.len(), ATAN.f32.len()), |i| {
         T::coefficient(&ATAN, i)

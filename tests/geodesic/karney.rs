@@ -98,6 +98,10 @@ fn direct<T: Scalar>(name: &str) -> [f64; 2] {
         let w = 1.0 - e.e2() * phi.sin().powi(2);
         let (rho, nu) = (e.a() * (1.0 - e.e2()) / w.powf(1.5), e.a() / w.sqrt());
         for (lat, lon) in [there, along].map(|place| (place.lat(), place.lon())) {
+            assert!(
+                lat.into().abs() <= 90.0 && lon.into().abs() <= 180.0,
+                "{there:?} {along:?}"
+            );
             let north = rho * row.error("lat2", lat).to_radians();
             let across = (row.value("lon2") - lon.into()).abs() > 180.0;
             let east = if across {
