@@ -40,6 +40,7 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
+pub mod batch;
 pub mod cube;
 mod ellipsoid;
 pub mod frame;

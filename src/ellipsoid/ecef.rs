@@ -21,6 +21,12 @@ impl<T: Real> Ellipsoid<T> {
     #[must_use]
     #[inline]
     pub fn to_ecef(self, position: Geodetic<T>) -> Ecef<T> {
+        self.to_ecef_inline(position)
+    }
+
+    /// [`Self::to_ecef`], for loops.
+    #[inline(always)]
+    pub(crate) fn to_ecef_inline(self, position: Geodetic<T>) -> Ecef<T> {
         let [(sin, cos), (sin_rest, cos_rest)] = sin_cos_degrees_with_rest(position.lat());
         let [(sin_lon, cos_lon), (sin_lon_rest, cos_lon_rest)] = sin_cos_degrees_with_rest(position.lon());
         let e2 = self.e2();
@@ -32,14 +38,10 @@ impl<T: Real> Ellipsoid<T> {
         let (axial, axial_lost) = sum(base, excess - e2 * (self.a + excess));
         let (rho, rho_lost) = product(along, cos);
         let rho_lost = rho_lost + (along_lost + lost) * cos + along * cos_rest;
-        let by = |factor: T, rest: T, value: T, low: T| {
-            let (high, rounding) = product(value, factor);
-            high + (rounding + (low * factor + value * rest))
-        };
         Ecef::within(
-            by(cos_lon, cos_lon_rest, rho, rho_lost),
-            by(sin_lon, sin_lon_rest, rho, rho_lost),
-            by(sin, sin_rest, axial, axial_lost + lost),
+            long_product((rho, rho_lost), (cos_lon, cos_lon_rest)),
+            long_product((rho, rho_lost), (sin_lon, sin_lon_rest)),
+            long_product((axial, axial_lost + lost), (sin, sin_rest)),
         )
     }
 
@@ -75,14 +77,27 @@ impl<T: Real> Ellipsoid<T> {
     #[must_use]
     #[inline]
     pub fn to_geodetic(self, point: Ecef<T>) -> Geodetic<T> {
+        if self.is_ordinary(point) {
+            self.to_geodetic_ordinary(point)
+        } else {
+            self.to_geodetic_rare(point)
+        }
+    }
+
+    /// Whether the straight line holds for a point.
+    #[inline(always)]
+    pub(crate) fn is_ordinary(self, point: Ecef<T>) -> bool {
         let [x, y, z] = point.to_array();
         let across = x * x + y * y;
         let square = across + z * z;
         let inner = self.newton_radius();
-        let ordinary = (square > inner * inner) & (across > T::pick(1e-250, 1e-30)) & (square < T::pick(1e300, 1e36));
-        if !ordinary {
-            return self.to_geodetic_rare(point);
-        }
+        (square > inner * inner) & (across > T::pick(1e-250, 1e-30)) & (square < T::pick(1e300, 1e36))
+    }
+
+    /// [`Self::to_geodetic`] in a straight line.
+    #[inline(always)]
+    pub(crate) fn to_geodetic_ordinary(self, point: Ecef<T>) -> Geodetic<T> {
+        let [x, y, z] = point.to_array();
         let (rho, rho_lost) = hypotenuse(x, y);
         let (sin, cos) = self.normal(rho, z);
         let (lat, height) = self.settle((rho, rho_lost), z, sin, cos);
@@ -244,6 +259,13 @@ fn hypotenuse<T: Real>(x: T, y: T) -> (T, T) {
     let (back, back_lost) = product(root, root);
     let rest = (square - back) + (square_lost + xx_lost + yy_lost - back_lost);
     (root, select(root > T::ZERO, rest / (root + root), T::ZERO))
+}
+
+/// The product of two numbers, each a sum of two.
+#[inline(always)]
+fn long_product<T: Real>((value, low): (T, T), (factor, rest): (T, T)) -> T {
+    let (high, rounding) = product(value, factor);
+    high + (rounding + (low * factor + value * rest))
 }
 
 /// a + b as a rounded sum and what the rounding lost.

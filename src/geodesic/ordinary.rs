@@ -149,6 +149,12 @@ impl<T: Real> Ordinary<T> {
         self.f.abs() < T::of(1.0 / 149.0)
     }
 
+    /// Whether a distance is at most 50 polar radii.
+    #[inline(always)]
+    pub fn reaches(&self, distance: T) -> bool {
+        distance.abs() <= T::of(50.0) * self.b
+    }
+
     /// Sine and cosine of the parametric latitude, and 1/√(cos²φ + (1 − f)² sin²φ).
     #[inline(always)]
     fn parametric(&self, lat: T) -> ((T, T), T) {

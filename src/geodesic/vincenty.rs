@@ -2,7 +2,7 @@ use super::auxiliary::{Arc, Ends, Start, nearly_round, waves};
 use super::degrees::{heading, wrapped};
 use super::karney;
 use super::ordinary::Ordinary;
-use super::{Direct, Geodesic, GeodesicError, Inverse};
+use super::{Direct, Geodesic, GeodesicError, Inverse, Straight};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::{max, sin_cos};
 use crate::{Ellipsoid, LatLon, Real};
@@ -165,12 +165,6 @@ impl<T: Real> Vincenty<T> {
         None
     }
 
-    #[doc(hidden)]
-    #[inline(always)]
-    pub fn inverse_ordinary(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
-        self.ordinary.near_inverse(from, to)
-    }
-
     #[cold]
     #[inline(never)]
     fn hard_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
@@ -231,5 +225,22 @@ impl<T: Real> Geodesic<T> for Vincenty<T> {
             return Ok(there);
         }
         self.hard_direct(from, azimuth, distance)
+    }
+}
+
+impl<T: Real> Straight<T> for Vincenty<T> {
+    #[inline(always)]
+    fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        self.ordinary.near_inverse(from, to)
+    }
+
+    #[inline(always)]
+    fn ordinary_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        self.ordinary.direct(from, azimuth, distance)
+    }
+
+    #[inline(always)]
+    fn reaches(&self, distance: T) -> bool {
+        self.ordinary.reaches(distance)
     }
 }

@@ -1,6 +1,6 @@
 use core::fmt;
 
-use super::correction::Correction;
+use super::correction::{Correction, Turn};
 use super::{Latitude, Shift, UnsupportedFlattening};
 use crate::math::{atan2, max, sin_cos, sin_cos_degrees};
 use crate::{Ellipsoid, Real};
@@ -66,12 +66,7 @@ impl<T: Real> Conversion<T> {
     /// [`InvalidLatitude`] for NaN, and for an angle outside [−90, 90].
     #[inline]
     pub fn degrees(&self, value: T) -> Result<T, InvalidLatitude<T>> {
-        self.convert(
-            value,
-            T::of(90.0),
-            T::pick(180.0 / core::f64::consts::PI, 57.295_78),
-            sin_cos_degrees,
-        )
+        self.convert::<Degrees>(value)
     }
 
     /// Converts radians to radians.
@@ -80,32 +75,118 @@ impl<T: Real> Conversion<T> {
     /// [`InvalidLatitude`] for NaN, and for an angle outside [−π/2, π/2] (as far as the scalar can tell).
     #[inline]
     pub fn radians(&self, value: T) -> Result<T, InvalidLatitude<T>> {
-        let quarter = T::pick(core::f64::consts::FRAC_PI_2, core::f32::consts::FRAC_PI_2);
-        self.convert(value, quarter, T::ONE, sin_cos)
+        self.convert::<Radians>(value)
     }
 
-    /// `unit` is a radian in the unit of the angles, `quarter` the right angle.
     #[inline(always)]
-    fn convert(&self, value: T, quarter: T, unit: T, sin_cos: impl Fn(T) -> (T, T)) -> Result<T, InvalidLatitude<T>> {
-        let isometric = self.from == Latitude::Isometric;
-        let limit = if isometric { T::of(f64::INFINITY) } else { quarter };
-        let valid = value.abs() <= limit;
+    fn convert<A: Angle>(&self, value: T) -> Result<T, InvalidLatitude<T>> {
+        let valid = value.abs() <= self.limit::<A>();
         if !valid {
             return Err(InvalidLatitude(value));
         }
         if self.from == self.to {
             return Ok(value);
         }
-        let start = if isometric { gudermannian(value) * unit } else { value };
-        let double = |x: T| sin_cos(x + x);
-        let geodetic = start + self.to_geodetic.angle(double(start)) * unit;
-        Ok(if self.to == Latitude::Isometric {
-            isometric_of(self.from_geodetic.turn(sin_cos(geodetic)))
+        let start = if self.from == Latitude::Isometric {
+            conformal::<T, A>(value)
         } else {
-            geodetic + self.from_geodetic.angle(double(geodetic)) * unit
-        }
-        .copysign(value))
+            value
+        };
+        let geodetic = corrected::<T, A>(start, &self.to_geodetic);
+        Ok(if self.to == Latitude::Isometric {
+            isometric::<T, A>(geodetic, &self.from_geodetic)
+        } else {
+            corrected::<T, A>(geodetic, &self.from_geodetic)
+        })
     }
+
+    /// The largest value that may be converted.
+    #[inline(always)]
+    pub(crate) fn limit<A: Angle>(&self) -> T {
+        if self.from == Latitude::Isometric {
+            T::of(f64::INFINITY)
+        } else {
+            A::quarter()
+        }
+    }
+
+    /// From which latitude, to which.
+    pub(crate) fn ends(&self) -> [Latitude; 2] {
+        [self.from, self.to]
+    }
+
+    /// To the geodetic latitude, and from it.
+    pub(crate) fn corrections(&self) -> [Correction<T>; 2] {
+        [self.to_geodetic, self.from_geodetic]
+    }
+}
+
+/// A unit of angles.
+pub(crate) trait Angle {
+    /// A right angle.
+    fn quarter<T: Real>() -> T;
+    /// A radian.
+    fn radian<T: Real>() -> T;
+    /// Sine and cosine.
+    fn sin_cos<T: Real>(angle: T) -> (T, T);
+}
+
+/// Angles in degrees.
+pub(crate) struct Degrees;
+
+impl Angle for Degrees {
+    #[inline(always)]
+    fn quarter<T: Real>() -> T {
+        T::of(90.0)
+    }
+
+    #[inline(always)]
+    fn radian<T: Real>() -> T {
+        T::pick(180.0 / core::f64::consts::PI, 57.295_78)
+    }
+
+    #[inline(always)]
+    fn sin_cos<T: Real>(angle: T) -> (T, T) {
+        sin_cos_degrees(angle)
+    }
+}
+
+/// Angles in radians.
+pub(crate) struct Radians;
+
+impl Angle for Radians {
+    #[inline(always)]
+    fn quarter<T: Real>() -> T {
+        T::pick(core::f64::consts::FRAC_PI_2, core::f32::consts::FRAC_PI_2)
+    }
+
+    #[inline(always)]
+    fn radian<T: Real>() -> T {
+        T::ONE
+    }
+
+    #[inline(always)]
+    fn sin_cos<T: Real>(angle: T) -> (T, T) {
+        sin_cos(angle)
+    }
+}
+
+/// The other latitude that belongs to a correction.
+#[inline(always)]
+pub(crate) fn corrected<T: Real, A: Angle>(value: T, correction: &impl Turn<T>) -> T {
+    (value + correction.angle(A::sin_cos(value + value)) * A::radian()).copysign(value)
+}
+
+/// The isometric latitude of a geodetic one, with the correction to the conformal.
+#[inline(always)]
+pub(crate) fn isometric<T: Real, A: Angle>(geodetic: T, correction: &impl Turn<T>) -> T {
+    isometric_of(correction.turn(A::sin_cos(geodetic))).copysign(geodetic)
+}
+
+/// The conformal latitude of an isometric one.
+#[inline(always)]
+pub(crate) fn conformal<T: Real, A: Angle>(isometric: T) -> T {
+    gudermannian(isometric) * A::radian()
 }
 
 /// The conformal latitude in radians of an isometric one, gd ψ = atan sinh ψ.

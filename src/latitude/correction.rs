@@ -8,21 +8,112 @@ use crate::{Ellipsoid, Real};
 /// latitude keeps its relative precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) enum Correction<T> {
+pub(crate) enum Correction<T> {
     /// Zero.
     None,
-    /// −atan(m sin 2x/(1 + m cos 2x)): the latitudes whose tangents have a fixed ratio (1 − m)/(1 + m).
-    Tangent(T),
-    /// Σ cₖ sin 2kx.
-    Series {
-        coefficients: [T; series::ORDER.0],
-        /// Whether the flattening is so small that the first [`SHORT`] terms are enough.
-        short: bool,
-    },
+    /// The latitudes whose tangents have a fixed ratio.
+    Tangent(Tangent<T>),
+    /// A series for the Earth's ellipsoids.
+    Short(Series<T, true>),
+    /// A series for any ellipsoid.
+    Long(Series<T, false>),
 }
 
+/// Evaluates an expression with the kind of correction that there is: a loop chooses once.
+macro_rules! with_correction {
+    ($correction:expr, $turn:ident => $result:expr) => {
+        match $correction {
+            $crate::latitude::Correction::None => {
+                let $turn = &$crate::latitude::Unturned;
+                $result
+            }
+            $crate::latitude::Correction::Tangent($turn) => $result,
+            $crate::latitude::Correction::Short($turn) => $result,
+            $crate::latitude::Correction::Long($turn) => $result,
+        }
+    };
+}
+pub(crate) use with_correction;
+
+/// A kind of [`Correction`].
+pub(crate) trait Turn<T: Real>: Copy {
+    /// The angle in radians, from sine and cosine of twice the latitude.
+    fn angle(&self, double: (T, T)) -> T;
+
+    /// Sine and cosine of the other latitude from those of the first.
+    fn turn(&self, latitude: (T, T)) -> (T, T);
+}
+
+/// Sine and cosine of twice a latitude.
+#[inline(always)]
+fn doubled<T: Real>((sin, cos): (T, T)) -> (T, T) {
+    (T::of(2.0) * sin * cos, (cos - sin) * (cos + sin))
+}
+
+/// Turns a latitude by an angle, given by its sine and versed sine (1 − cos).
+#[inline(always)]
+fn turned<T: Real>((sin, cos): (T, T), (sine, versine): (T, T)) -> (T, T) {
+    (sin + (cos * sine - sin * versine), cos - (sin * sine + cos * versine))
+}
+
+/// No correction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Unturned;
+
+impl<T: Real> Turn<T> for Unturned {
+    #[inline(always)]
+    fn angle(&self, _: (T, T)) -> T {
+        T::ZERO
+    }
+
+    #[inline(always)]
+    fn turn(&self, latitude: (T, T)) -> (T, T) {
+        latitude
+    }
+}
+
+/// −atan(m sin 2x/(1 + m cos 2x)): the latitudes whose tangents have the ratio (1 − m)/(1 + m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct Tangent<T>(T);
+
+impl<T: Real> Turn<T> for Tangent<T> {
+    #[inline(always)]
+    fn angle(&self, (sin2, cos2): (T, T)) -> T {
+        atan2(-(self.0 * sin2), T::ONE + self.0 * cos2)
+    }
+
+    #[inline(always)]
+    fn turn(&self, latitude: (T, T)) -> (T, T) {
+        let (sin2, cos2) = doubled(latitude);
+        let n = -(self.0 * sin2);
+        let d = T::ONE + self.0 * cos2;
+        let h = (n * n + d * d).sqrt();
+        turned(latitude, (n / h, n * n / (h * (h + d))))
+    }
+}
+
+/// Σ cₖ sin 2kx; `SHORT` where the flattening is so small that the first terms are enough.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct Series<T, const SHORT: bool>([T; series::ORDER.0]);
+
 /// Terms that reach rounding for |n| ≤ 0.0018, the Earth's ellipsoids: the next one is at most 2e-17 rad (3e-9 in `f32`).
-const SHORT: (usize, usize) = (6, 3);
+const EARTH: (usize, usize) = (6, 3);
+
+impl<T: Real, const SHORT: bool> Turn<T> for Series<T, SHORT> {
+    #[inline(always)]
+    fn angle(&self, (sin2, cos2): (T, T)) -> T {
+        let (f64, f32) = if SHORT { EARTH } else { series::ORDER };
+        clenshaw(&self.0, T::terms(f64, f32), sin2, cos2)
+    }
+
+    #[inline(always)]
+    fn turn(&self, latitude: (T, T)) -> (T, T) {
+        let (sine, cosine) = sin_cos_small(self.angle(doubled(latitude)));
+        turned(latitude, (sine, sine * sine / (T::ONE + cosine)))
+    }
+}
 
 impl<T: Real> Correction<T> {
     /// From the geodetic to the shifted latitude.
@@ -48,47 +139,17 @@ impl<T: Real> Correction<T> {
             Shift::Rectifying => series(ellipsoid, &series::RECTIFYING_INVERSE),
         }
     }
+}
 
-    /// The angle in radians, from sine and cosine of twice the latitude.
+impl<T: Real> Turn<T> for Correction<T> {
     #[inline(always)]
-    pub fn angle(&self, (sin2, cos2): (T, T)) -> T {
-        match *self {
-            Self::None => T::ZERO,
-            Self::Tangent(m) => atan2(-(m * sin2), T::ONE + m * cos2),
-            Self::Series {
-                ref coefficients,
-                short,
-            } => {
-                if short {
-                    clenshaw(coefficients, T::terms(SHORT.0, SHORT.1), sin2, cos2)
-                } else {
-                    clenshaw(coefficients, T::terms(series::ORDER.0, series::ORDER.1), sin2, cos2)
-                }
-            }
-        }
+    fn angle(&self, double: (T, T)) -> T {
+        with_correction!(self, turn => turn.angle(double))
     }
 
-    /// Sine and cosine of the other latitude from those of the first.
     #[inline(always)]
-    pub fn turn(&self, (sin, cos): (T, T)) -> (T, T) {
-        let two = T::of(2.0);
-        let sin2 = two * sin * cos;
-        let cos2 = (cos - sin) * (cos + sin);
-        // Sine and versed sine (1 − cos) of the correction.
-        let (sine, versine) = match *self {
-            Self::None => return (sin, cos),
-            Self::Tangent(m) => {
-                let n = -(m * sin2);
-                let d = T::ONE + m * cos2;
-                let h = (n * n + d * d).sqrt();
-                (n / h, n * n / (h * (h + d)))
-            }
-            Self::Series { .. } => {
-                let (sine, cosine) = sin_cos_small(self.angle((sin2, cos2)));
-                (sine, sine * sine / (T::ONE + cosine))
-            }
-        };
-        (sin + (cos * sine - sin * versine), cos - (sin * sine + cos * versine))
+    fn turn(&self, latitude: (T, T)) -> (T, T) {
+        with_correction!(self, turn => turn.turn(latitude))
     }
 }
 
@@ -104,7 +165,7 @@ fn tangent<T: Real>(ellipsoid: Ellipsoid<T>, m: T) -> Result<Correction<T>, Unsu
     if f < -T::ONE || f > T::of(0.5) {
         return Err(UnsupportedFlattening(f));
     }
-    Ok(Correction::Tangent(m))
+    Ok(Correction::Tangent(Tangent(m)))
 }
 
 /// The coefficients cₖ = nᵏpₖ(n).
@@ -131,9 +192,10 @@ fn series<T: Real, const N: usize, const M: usize>(
         start += length;
         *coefficient = power * sum;
     }
-    Ok(Correction::Series {
-        coefficients,
-        short: n.abs() < T::of(0.0018),
+    Ok(if n.abs() < T::of(0.0018) {
+        Correction::Short(Series(coefficients))
+    } else {
+        Correction::Long(Series(coefficients))
     })
 }
 

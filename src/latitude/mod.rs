@@ -7,7 +7,9 @@ mod conversion;
 mod correction;
 mod shifted;
 
+pub(crate) use conversion::{Angle, Degrees, Radians, conformal, corrected, isometric};
 pub use conversion::{Conversion, InvalidLatitude};
+pub(crate) use correction::{Correction, Turn, Unturned, with_correction};
 pub use shifted::Shifted;
 
 macro_rules! names {

@@ -1,4 +1,4 @@
-use super::correction::Correction;
+use super::correction::{Correction, Turn};
 use super::{Shift, UnsupportedFlattening};
 use crate::math::atan2_degrees;
 use crate::math::sin_cos_degrees;
@@ -45,6 +45,11 @@ impl<T: Real> Shifted<T> {
     #[must_use]
     pub fn shift(&self) -> Shift {
         self.shift
+    }
+
+    /// From the geodetic latitude to the sphere's, and back.
+    pub(crate) fn corrections(&self) -> [Correction<T>; 2] {
+        [self.forward, self.inverse]
     }
 
     /// The direction of a geodetic latitude and longitude.

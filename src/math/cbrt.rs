@@ -1,4 +1,4 @@
-use super::select;
+use super::{repeat, select};
 use crate::Real;
 
 /// Cube root.
@@ -9,13 +9,13 @@ use crate::Real;
 /// assert_eq!(terrella::math::cbrt(27.0_f64), 3.0);
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn cbrt<T: Real>(x: T) -> T {
     let magnitude = x.abs();
     let mut root = magnitude.cbrt_guess();
-    for _ in 0..T::terms(3, 2) {
+    repeat!(T::terms(3, 2), {
         let cube = root * root * root;
         root += root * ((magnitude - cube) / (cube + cube + magnitude));
-    }
+    });
     select(x.is_finite() & (x != T::ZERO), root.copysign(x), x)
 }

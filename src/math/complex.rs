@@ -32,18 +32,19 @@ impl<T: Real> Complex<T> {
         [self.re, self.im]
     }
 
-    /// A polynomial with real coefficients, by Horner's rule.
+    /// A polynomial with real coefficients, divided by the quadratic that the number and its conjugate are the roots of: two
+    /// products a coefficient (Knuth, The Art of Computer Programming 2, 4.6.4, eq. 3).
     #[inline(always)]
     pub fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self {
-        let mut sum = Self {
-            re: T::ZERO,
-            im: T::ZERO,
-        };
-        for i in (0..T::terms(N, M)).rev() {
-            sum = sum * self;
-            sum.re += T::coefficient(coefficients, i);
+        let (twice, norm) = (self.re + self.re, self.norm());
+        let (mut a, mut b) = (T::ZERO, T::ZERO);
+        for i in (1..T::terms(N, M)).rev() {
+            (a, b) = (T::coefficient(coefficients, i) + (twice * a - norm * b), a);
         }
-        sum
+        Self {
+            re: T::coefficient(coefficients, 0) + (self.re * a - norm * b),
+            im: self.im * a,
+        }
     }
 }
 

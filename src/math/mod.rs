@@ -34,6 +34,20 @@ pub use tan::tan;
 
 use crate::Real;
 
+/// A block as often as a count says, up to six times, without a loop: what is inside a loop over points must have none of its own.
+macro_rules! repeat {
+    ($count:expr, $body:block) => {{
+        let count = $count;
+        if count > 0 $body
+        if count > 1 $body
+        if count > 2 $body
+        if count > 3 $body
+        if count > 4 $body
+        if count > 5 $body
+    }};
+}
+pub(crate) use repeat;
+
 /// One of two values by a condition: a select, not a branch, once compiled.
 #[inline(always)]
 pub(crate) fn select<V>(condition: bool, then: V, otherwise: V) -> V {

@@ -13,7 +13,7 @@ use crate::Real;
 /// assert_eq!((sin, cos), (1.0, 6.123233995736766e-17));
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     let q = (x * T::of(core::f64::consts::FRAC_2_PI)).round();
     // π/2 in parts of 33, 33 and 53 bits (17, 17, 24): q times each of the first two is exact.
@@ -42,7 +42,7 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
 /// assert_eq!(terrella::math::sin_cos_degrees(180.0_f64), (0.0, -1.0));
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
     let (q, (high, low)) = quarter_and_rest(x);
     let [result, _] = reduced(high, low, T::ZERO);
@@ -50,7 +50,7 @@ pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
 }
 
 /// Sine and cosine as [`sin_cos_degrees`] gives them but for a rounding, and what is to be added to each: together within 0.2 ulp.
-#[inline]
+#[inline(always)]
 pub(crate) fn sin_cos_degrees_with_rest<T: Real>(x: T) -> [(T, T); 2] {
     let (q, (high, low)) = quarter_and_rest(x);
     let (head, tail) = high.split();
@@ -130,11 +130,15 @@ pub(crate) fn sin_cos_small<T: Real>(x: T) -> (T, T) {
 fn quadrant<T: Real>(q: T, (sin, cos): (T, T)) -> (T, T) {
     // q mod 4 in {−2, …, 2} without leaving the scalar, exact.
     let m = q - (q * T::of(0.25)).round() * T::of(4.0);
-    let odd = m.abs() == T::ONE;
-    let s = select(odd, cos, sin);
-    let c = select(odd, sin, cos);
-    let two = m.abs() == T::of(2.0);
-    let s_negative = two | (m == -T::ONE);
-    let c_negative = two | (m == T::ONE);
-    (select(s_negative, -s, s), select(c_negative, -c, c))
+    // A choice by factors of 0 and 1: no machine takes a branch for it. Their signs are those of sine and cosine at the middle
+    // of each quadrant.
+    let odd = select(m.abs() == T::ONE, T::ONE, T::ZERO);
+    let even = T::ONE - odd;
+    let (half, more) = (T::of(0.5), T::of(1.5));
+    let s_sign = (half + m) * (more - m);
+    let c_sign = (half - m) * (more + m);
+    (
+        sin * even.copysign(s_sign) + cos * odd.copysign(s_sign),
+        cos * even.copysign(c_sign) + sin * odd.copysign(c_sign),
+    )
 }

@@ -9,7 +9,7 @@ use crate::Real;
 /// assert_eq!(terrella::math::tan(core::f32::consts::FRAC_PI_4), 1.0);
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn tan<T: Real>(x: T) -> T {
     let z = x * x;
     x + x * z * z.polynomial(&TAN)

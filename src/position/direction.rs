@@ -47,16 +47,21 @@ impl<T: Real> Direction<T> {
             ),
         );
         let (x, y, z) = (x * scale, y * scale, z * scale);
-        let square = x * x + y * y + z * z;
-        if (square - T::ONE).abs() <= T::of(4.0) * T::EPSILON {
+        if Self::is_unit(x, y, z) {
             return Ok(Self { x, y, z });
         }
-        let length = square.sqrt();
+        let length = (x * x + y * y + z * z).sqrt();
         Ok(Self {
             x: x / length,
             y: y / length,
             z: z / length,
         })
+    }
+
+    /// Whether the vector is of unit length but for rounding.
+    #[inline(always)]
+    pub(crate) fn is_unit(x: T, y: T, z: T) -> bool {
+        (x * x + y * y + z * z - T::ONE).abs() <= T::of(4.0) * T::EPSILON
     }
 
     /// For components known to be those of a unit vector.

@@ -55,8 +55,7 @@ impl<T: Real> LatLon<T> {
 
     /// For a latitude and longitude known to be in range.
     #[inline(always)]
-    #[doc(hidden)]
-    pub const fn within(lat: T, lon: T) -> Self {
+    pub(crate) const fn within(lat: T, lon: T) -> Self {
         Self { lat, lon }
     }
 

@@ -13,15 +13,22 @@ const C2: f64 = 0.87 * 0.87;
 impl CubeProjection for Algebraic {
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
-        let c2 = T::of(C2);
-        [right, up].map(|v| {
-            let u = v / outward;
-            u * ((T::ONE + c2) / (T::ONE + c2 * (u * u))).sqrt()
-        })
+        [coordinate(right / outward), coordinate(up / outward)]
     }
 
     #[inline(always)]
-    fn inverse<T: Real>(&self, _: Face, point: [T; 2]) -> [T; 3] {
-        from_gnomonic(point.map(|x| x / (T::ONE + T::of(C2) * (T::ONE - x * x)).sqrt()))
+    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+        from_gnomonic([gnomonic(x), gnomonic(y)])
     }
+}
+
+#[inline(always)]
+fn coordinate<T: Real>(u: T) -> T {
+    let c2 = T::of(C2);
+    u * ((T::ONE + c2) / (T::ONE + c2 * (u * u))).sqrt()
+}
+
+#[inline(always)]
+fn gnomonic<T: Real>(x: T) -> T {
+    x / (T::ONE + T::of(C2) * (T::ONE - x * x)).sqrt()
 }

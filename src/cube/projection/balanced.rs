@@ -1,5 +1,6 @@
 use super::{CubeProjection, Face, from_gnomonic};
 use crate::Real;
+use crate::math::repeat;
 
 /// The balanced cube: a polynomial map whose texels vary least, by the paper's own measure.
 ///
@@ -44,7 +45,7 @@ impl CubeProjection for Balanced {
         let start =
             |w: T, p: T, q: T| w * (T::ONE + p * (T::of(0.134_319) + p * (T::of(0.036_938) + T::of(0.111_502) * q)));
         let (mut x, mut y) = (start(u, pu, pv), start(v, pv, pu));
-        for _ in 0..T::terms(3, 2) {
+        repeat!(T::terms(3, 2), {
             let (xx, yy) = (x * x, y * y);
             let (p, q) = (T::ONE - xx, T::ONE - yy);
             let (fx, fy) = (Factor::new(p, q), Factor::new(q, p));
@@ -55,7 +56,7 @@ impl CubeProjection for Balanced {
             let determinant = ux * vy - uy * vx;
             x += (du * vy - dv * uy) / determinant;
             y += (dv * ux - du * vx) / determinant;
-        }
+        });
         [x.copysign(u), y.copysign(v)]
     }
 

@@ -1,6 +1,6 @@
 use super::{CubeProjection, Face, from_gnomonic};
 use crate::Real;
-use crate::math::Polynomial;
+use crate::math::{Polynomial, repeat};
 
 /// The COBE sky cube, CSC, as published: both directions are polynomials, which miss each other by up to 2.9e-4.
 ///
@@ -88,14 +88,14 @@ impl CubeProjection for QuadCube {
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
         let (mut u, mut v) = (x, y);
-        for _ in 0..T::terms(6, 5) {
+        repeat!(T::terms(6, 5), {
             let [f, f_u, f_v] = self.value_and_slopes(u, v);
             let [g, g_v, g_u] = self.value_and_slopes(v, u);
             let determinant = f_u * g_v - f_v * g_u;
             let (df, dg) = (x - f, y - g);
             u += (df * g_v - dg * f_v) / determinant;
             v += (dg * f_u - df * g_u) / determinant;
-        }
+        });
         from_gnomonic([u.copysign(x), v.copysign(y)])
     }
 }

@@ -75,6 +75,12 @@ pub trait CubeProjection: Copy {
         FacePoint::within(face, on_face(x), on_face(y))
     }
 
+    /// Does a task with the projection itself: one that stands for another hands that on, so that a loop chooses once.
+    #[inline(always)]
+    fn with<W: ProjectionTask>(self, task: W) -> W::Output {
+        task.run(self)
+    }
+
     /// From a place on the cube to its direction.
     #[must_use]
     #[inline(always)]
@@ -83,6 +89,30 @@ pub trait CubeProjection: Copy {
         let [x, y, z] = point.face().to_earth(local);
         Direction::within(x, y, z)
     }
+}
+
+/// What is to be done with a projection of any type: see [`CubeProjection::with`].
+///
+/// ```
+/// use terrella::cube::{CubeProjection, Projection, ProjectionTask};
+///
+/// struct Size;
+///
+/// impl ProjectionTask for Size {
+///     type Output = usize;
+///     fn run<P: CubeProjection>(self, _: P) -> usize {
+///         size_of::<P>()
+///     }
+/// }
+///
+/// assert_eq!(Projection::Vertex.with(Size), 0);
+/// ```
+pub trait ProjectionTask {
+    /// What comes of it.
+    type Output;
+
+    /// Does it.
+    fn run<P: CubeProjection>(self, projection: P) -> Self::Output;
 }
 
 macro_rules! projections {
@@ -135,6 +165,13 @@ macro_rules! projections {
             fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3] {
                 match self {
                     $(Self::$variant => $module::$variant.inverse(face, point),)*
+                }
+            }
+
+            #[inline]
+            fn with<W: ProjectionTask>(self, task: W) -> W::Output {
+                match self {
+                    $(Self::$variant => task.run($module::$variant),)*
                 }
             }
 

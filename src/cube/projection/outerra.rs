@@ -1,6 +1,6 @@
 use super::{CubeProjection, Face, normalise};
 use crate::Real;
-use crate::math::{max, min};
+use crate::math::{max, min, repeat};
 
 /// Outerra's cube, OSC: (x, y, 1 + M(1 − x²)(1 − y²)), M = (√2 − 1)/2, normalised.
 ///
@@ -21,12 +21,12 @@ impl CubeProjection for Outerra {
         let m = T::of(M);
         // (x, y) = k(u, v) with k = 1 + M(1 − k²u²)(1 − k²v²), a root in [1, 1 + M] (Algorithm 1, scaled by Z).
         let mut k = T::ONE + m * ((T::ONE - uu) * (T::ONE - vv));
-        for _ in 0..T::terms(4, 3) {
+        repeat!(T::terms(4, 3), {
             let p = T::ONE - k * k * uu;
             let q = T::ONE - k * k * vv;
             let slope = T::ONE + T::of(2.0) * m * k * (uu * q + vv * p);
             k -= (k - T::ONE - m * (p * q)) / slope;
-        }
+        });
         let k = max(min(k, T::ONE + m), T::ONE);
         [k * u, k * v]
     }

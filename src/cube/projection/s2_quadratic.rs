@@ -12,16 +12,23 @@ pub struct S2Quadratic;
 impl CubeProjection for S2Quadratic {
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
-        let three = T::of(3.0);
-        // √(1 + 3u) − 1 without the difference.
-        [right, up].map(|v| {
-            let u = v / outward;
-            three * u / (T::ONE + (T::ONE + three * u.abs()).sqrt())
-        })
+        [coordinate(right / outward), coordinate(up / outward)]
     }
 
     #[inline(always)]
-    fn inverse<T: Real>(&self, _: Face, point: [T; 2]) -> [T; 3] {
-        from_gnomonic(point.map(|x| x * (T::of(2.0) + x.abs()) / T::of(3.0)))
+    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+        from_gnomonic([gnomonic(x), gnomonic(y)])
     }
+}
+
+/// √(1 + 3u) − 1 without the difference.
+#[inline(always)]
+fn coordinate<T: Real>(u: T) -> T {
+    let three = T::of(3.0);
+    three * u / (T::ONE + (T::ONE + three * u.abs()).sqrt())
+}
+
+#[inline(always)]
+fn gnomonic<T: Real>(x: T) -> T {
+    x * (T::of(2.0) + x.abs()) / T::of(3.0)
 }

@@ -1,5 +1,6 @@
 use super::{CubeProjection, Face, normalise};
 use crate::Real;
+use crate::math::repeat;
 
 /// The square cube: texels as square as Outerra's, aspect ratio 1.013, whose width times height varies by 1.89 instead of 3.09.
 ///
@@ -33,7 +34,7 @@ impl CubeProjection for Square {
         let bulge = |w: T, p: T, q: T| w * (T::ONE + T::of(0.15) * p * q);
         let (pu, pv) = (T::ONE - u * u, T::ONE - v * v);
         let (mut x, mut y) = (bulge(u, pu, pv), bulge(v, pv, pu));
-        for _ in 0..T::terms(4, 3) {
+        repeat!(T::terms(4, 3), {
             let (xx, yy) = (x * x, y * y);
             let (p, q) = (T::ONE - xx, T::ONE - yy);
             let [a, b, z] = factors([xx, yy], [p, q]);
@@ -48,7 +49,7 @@ impl CubeProjection for Square {
             let determinant = gx * hy - gy * hx;
             x -= (g * hy - h * gy) / determinant;
             y -= (h * gx - g * hx) / determinant;
-        }
+        });
         [x, y]
     }
 

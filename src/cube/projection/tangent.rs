@@ -37,14 +37,17 @@ macro_rules! tangent {
             fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
                 let scale = tan(T::of($theta));
                 let unit = atan(scale);
-                [right, up].map(|v| atan(v / outward * scale) / unit)
+                [
+                    atan(right / outward * scale) / unit,
+                    atan(up / outward * scale) / unit,
+                ]
             }
 
             #[inline(always)]
-            fn inverse<T: Real>(&self, _: Face, point: [T; 2]) -> [T; 3] {
+            fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
                 let theta = T::of($theta);
                 let unit = tan(theta);
-                from_gnomonic(point.map(|v| tan(v * theta) / unit))
+                from_gnomonic([tan(x * theta) / unit, tan(y * theta) / unit])
             }
         }
     };

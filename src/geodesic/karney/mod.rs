@@ -1,6 +1,6 @@
 use super::degrees::hypot;
 use super::ordinary::Ordinary;
-use super::{Direct, Geodesic, GeodesicError, Inverse};
+use super::{Direct, Geodesic, GeodesicError, Inverse, Straight};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::max;
 use crate::{Ellipsoid, LatLon, Real};
@@ -97,18 +97,6 @@ impl<T: Real> Karney<T> {
         })
     }
 
-    #[doc(hidden)]
-    #[inline(always)]
-    pub fn inverse_ordinary(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
-        self.ordinary.near_inverse(from, to)
-    }
-
-    #[doc(hidden)]
-    #[inline(always)]
-    pub fn direct_ordinary(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
-        self.ordinary.direct(from, azimuth, distance)
-    }
-
     #[cold]
     #[inline(never)]
     fn hard_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
@@ -186,5 +174,22 @@ impl<T: Real> Geodesic<T> for Karney<T> {
             return Ok(there);
         }
         self.hard_direct(from, azimuth, distance)
+    }
+}
+
+impl<T: Real> Straight<T> for Karney<T> {
+    #[inline(always)]
+    fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        self.ordinary.near_inverse(from, to)
+    }
+
+    #[inline(always)]
+    fn ordinary_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        self.ordinary.direct(from, azimuth, distance)
+    }
+
+    #[inline(always)]
+    fn reaches(&self, distance: T) -> bool {
+        self.ordinary.reaches(distance)
     }
 }

@@ -1,0 +1,50 @@
+//! The widest instructions of the machine, chosen at run time: the one file with `unsafe` in it.
+#![allow(unsafe_code)]
+
+/// A loop over slices, as a value that holds them.
+///
+/// [`run`](Self::run) must be `#[inline(always)]`, and so must all that it calls in the loop: then it is compiled once for each set of
+/// instructions. They only do more at a time; none contracts a product and a sum, so that the results are the same bits.
+pub(crate) trait Pass {
+    /// What the loop finds.
+    type Output;
+
+    /// Runs the loop.
+    fn run(self) -> Self::Output;
+}
+
+/// Runs a pass with the widest instructions that this machine has.
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+pub(crate) fn widest<P: Pass>(pass: P) -> P::Output {
+    if std::is_x86_feature_detected!("avx512f")
+        && std::is_x86_feature_detected!("avx512bw")
+        && std::is_x86_feature_detected!("avx512dq")
+        && std::is_x86_feature_detected!("avx512vl")
+    {
+        // SAFETY: the machine has what the function is compiled for.
+        unsafe { avx512(pass) }
+    } else if std::is_x86_feature_detected!("avx2") {
+        // SAFETY: as above.
+        unsafe { avx2(pass) }
+    } else {
+        pass.run()
+    }
+}
+
+/// Runs a pass with the instructions that the crate is compiled for.
+#[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+pub(crate) fn widest<P: Pass>(pass: P) -> P::Output {
+    pass.run()
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
+fn avx512<P: Pass>(pass: P) -> P::Output {
+    pass.run()
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx2")]
+fn avx2<P: Pass>(pass: P) -> P::Output {
+    pass.run()
+}

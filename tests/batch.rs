@@ -1,0 +1,551 @@
+//! Over slices: the same bits as one by one, for every length and for special values; and refusals that write nothing.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)] // tests
+
+use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic};
+use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFacePoint, Projection, QuadCube};
+use terrella::latitude::{Conversion, InvalidLatitude};
+use terrella::{
+    Direction, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon,
+    Latitude, Real, Shift, Shifted,
+};
+
+/// Lengths about the ends of vectors, blocks and buffers.
+const LENGTHS: &[usize] = &[0, 1, 2, 3, 7, 8, 9, 31, 63, 64, 65, 127, 128, 129, 255, 256, 257, 600];
+/// More than any length.
+const ALL: usize = 700;
+
+trait Scalar: Real + Into<f64> {}
+impl<T: Real + Into<f64>> Scalar for T {}
+
+/// The bits, through `f64`, in which an `f32` is exact; every NaN is the same.
+fn bits<T: Scalar>(values: &[T]) -> Vec<u64> {
+    let bits = |value: f64| if value.is_nan() { f64::NAN } else { value }.to_bits();
+    values.iter().map(|&value| bits(value.into())).collect()
+}
+
+/// A special value here and there, a random number in [−1, 1) elsewhere.
+fn numbers<T: Scalar>(seed: u64, special: &[f64]) -> Vec<T> {
+    let mut rng = fastrand::Rng::with_seed(seed);
+    let mut number = || {
+        if rng.u8(0..4) == 0 && !special.is_empty() {
+            special[rng.usize(0..special.len())]
+        } else {
+            2.0 * rng.f64() - 1.0
+        }
+    };
+    (0..ALL).map(|_| T::of(number())).collect()
+}
+
+fn scaled<T: Scalar>(values: &[T], factor: f64) -> Vec<T> {
+    values.iter().map(|&value| value * T::of(factor)).collect()
+}
+
+const ENDS: &[f64] = &[0.0, -0.0, 1.0, -1.0, 0.5, -0.5, 1e-7, -1e-7, 1e-300, 0.999_999_9];
+
+/// The parts of columns that are tried: from an offset, of a length.
+fn parts() -> impl Iterator<Item = core::ops::Range<usize>> {
+    LENGTHS.iter().enumerate().map(|(i, &length)| i..i + length)
+}
+
+/// Runs a batch on parts of the columns and compares it with what one by one gives.
+fn compare<T: Scalar, const I: usize, const O: usize>(
+    what: &str,
+    columns: &[Vec<T>; I],
+    one: impl Fn([T; I]) -> [T; O],
+    batch: impl Fn([&[T]; I], [&mut [T]; O]),
+) {
+    let mut expected: [Vec<T>; O] = [const { Vec::new() }; O];
+    for i in 0..ALL {
+        for (column, value) in expected.iter_mut().zip(one(columns.each_ref().map(|column| column[i]))) {
+            column.push(value);
+        }
+    }
+    for part in parts() {
+        let mut found = [(); O].map(|()| vec![T::of(f64::NAN); part.len()]);
+        batch(
+            columns.each_ref().map(|column| &column[part.clone()]),
+            found.each_mut().map(|column| &mut column[..]),
+        );
+        for (expected, found) in expected.iter().zip(&found) {
+            assert_eq!(bits(found), bits(&expected[part.clone()]), "{what}, {part:?}");
+        }
+    }
+}
+
+fn number<T: Real>(face: Face) -> T {
+    T::of(f64::from(face.index()))
+}
+
+/// Unit vectors, with special components.
+fn directions<T: Scalar>() -> [Vec<T>; 3] {
+    let [x, y, z] = [1, 2, 3].map(|seed| numbers::<T>(seed, ENDS));
+    let mut units = [const { Vec::new() }; 3];
+    for i in 0..ALL {
+        let direction = Direction::new(x[i], y[i], z[i]).unwrap_or(Direction::new(T::ZERO, T::ZERO, -T::ONE).unwrap());
+        // Twice, so that even the constructor takes it as it is.
+        let [x, y, z] = direction.to_array();
+        let direction = Direction::new(x, y, z).unwrap().to_array();
+        for (column, value) in units.iter_mut().zip(direction) {
+            column.push(value);
+        }
+    }
+    units
+}
+
+fn places<T: Scalar>() -> [Vec<T>; 2] {
+    [scaled(&numbers(4, ENDS), 90.0), scaled(&numbers(5, ENDS), 180.0)]
+}
+
+fn points<T: Scalar>() -> [Vec<T>; 3] {
+    let mut rng = fastrand::Rng::with_seed(6);
+    let faces = (0..ALL).map(|_| number(Face::ALL[rng.usize(0..6)])).collect();
+    [faces, numbers(7, ENDS), numbers(8, ENDS)]
+}
+
+fn faces<T: Scalar>(numbers: &[T]) -> Vec<Face> {
+    numbers
+        .iter()
+        .map(|&number| Face::from_index(number.into() as u8).unwrap())
+        .collect()
+}
+
+fn store<T: Scalar>(faces: &[Face], column: &mut [T]) {
+    for (slot, &face) in column.iter_mut().zip(faces) {
+        *slot = number(face);
+    }
+}
+
+/// A projection, in both directions and on the ellipsoid.
+fn projection<T: Scalar, P: CubeProjection>(name: &str, p: P) {
+    compare(
+        &format!("{name} project"),
+        &directions::<T>(),
+        |[x, y, z]| {
+            let point = p.project(Direction::new(x, y, z).unwrap());
+            [number(point.face()), point.x(), point.y()]
+        },
+        |from, [face, x, y]| {
+            let mut faces = vec![Face::Front; face.len()];
+            batch::cube::project(p, from, &mut faces, [x, y]).unwrap();
+            store(&faces, face);
+        },
+    );
+    compare(
+        &format!("{name} unproject"),
+        &points::<T>(),
+        |[face, x, y]| p.unproject(FacePoint::new(faces(&[face])[0], x, y).unwrap()).to_array(),
+        |[face, x, y], to| batch::cube::unproject(p, &faces(face), [x, y], to).unwrap(),
+    );
+}
+
+fn map<T: Scalar, P: CubeProjection>(name: &str, p: P, shift: Shift) {
+    let map = CubeMap::new(Ellipsoid::<T>::wgs84(), shift, p).unwrap();
+    compare(
+        &format!("{name} map, {shift}"),
+        &places::<T>(),
+        |[lat, lon]| {
+            let point = map.project(LatLon::new(lat, lon).unwrap());
+            [number(point.face()), point.x(), point.y()]
+        },
+        |from, [face, x, y]| {
+            let mut faces = vec![Face::Front; face.len()];
+            batch::map::project(&map, from, &mut faces, [x, y]).unwrap();
+            store(&faces, face);
+        },
+    );
+    compare(
+        &format!("{name} map back, {shift}"),
+        &points::<T>(),
+        |[face, x, y]| {
+            let place = map.unproject(FacePoint::new(faces(&[face])[0], x, y).unwrap());
+            [place.lat(), place.lon()]
+        },
+        |[face, x, y], to| batch::map::unproject(&map, &faces(face), [x, y], to).unwrap(),
+    );
+}
+
+/// A projection that the crate does not know, from its documentation.
+#[derive(Clone, Copy)]
+struct Gnomonic;
+
+impl CubeProjection for Gnomonic {
+    fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
+        [right / outward, up / outward]
+    }
+    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+        let length = (x * x + y * y + T::ONE).sqrt();
+        [x / length, y / length, T::ONE / length]
+    }
+}
+
+fn every_projection<T: Scalar>() {
+    for &p in Projection::ALL {
+        projection::<T, _>(p.name(), p);
+    }
+    projection::<T, _>("gnomonic", Gnomonic);
+    projection::<T, _>("quad cube", QuadCube::COBE);
+    for &shift in Shift::ALL {
+        map::<T, _>("vertex", Projection::Vertex, shift);
+    }
+    map::<T, _>("gnomonic", Gnomonic, Shift::Authalic);
+}
+
+#[test]
+fn projections_are_the_same_bits() {
+    every_projection::<f64>();
+    every_projection::<f32>();
+}
+
+fn every_position<T: Scalar>() {
+    compare(
+        "to_direction",
+        &places::<T>(),
+        |[lat, lon]| LatLon::new(lat, lon).unwrap().to_direction().to_array(),
+        |from, to| batch::position::to_direction(from, to).unwrap(),
+    );
+    compare(
+        "to_lat_lon",
+        &directions::<T>(),
+        |[x, y, z]| {
+            let place = Direction::new(x, y, z).unwrap().to_lat_lon();
+            [place.lat(), place.lon()]
+        },
+        |from, to| batch::position::to_lat_lon(from, to).unwrap(),
+    );
+    for (ellipsoid, &shift) in [Ellipsoid::wgs84(), Ellipsoid::new(T::of(6e6), T::of(0.08)).unwrap()]
+        .into_iter()
+        .flat_map(|ellipsoid| Shift::ALL.iter().map(move |shift| (ellipsoid, shift)))
+    {
+        let shifted = Shifted::new(ellipsoid, shift).unwrap();
+        compare(
+            &format!("to_direction, {shift}"),
+            &places::<T>(),
+            |[lat, lon]| shifted.to_direction(LatLon::new(lat, lon).unwrap()).to_array(),
+            |from, to| batch::latitude::to_direction(&shifted, from, to).unwrap(),
+        );
+        compare(
+            &format!("to_lat_lon, {shift}"),
+            &directions::<T>(),
+            |[x, y, z]| {
+                let place = shifted.to_lat_lon(Direction::new(x, y, z).unwrap());
+                [place.lat(), place.lon()]
+            },
+            |from, to| batch::latitude::to_lat_lon(&shifted, from, to).unwrap(),
+        );
+    }
+}
+
+#[test]
+fn positions_are_the_same_bits() {
+    every_position::<f64>();
+    every_position::<f32>();
+}
+
+fn every_latitude<T: Scalar>() {
+    let [degrees, _] = places::<T>();
+    let right = core::f64::consts::FRAC_PI_2;
+    let radians = scaled(
+        &numbers(4, ENDS),
+        if T::EPSILON.into() > 1e-10 { 1.570_796_2 } else { right },
+    );
+    for f in [1.0 / 298.257, 0.09] {
+        let ellipsoid = Ellipsoid::new(T::of(6.4e6), T::of(f)).unwrap();
+        for (&from, &to) in Latitude::ALL
+            .iter()
+            .flat_map(|a| Latitude::ALL.iter().map(move |b| (a, b)))
+        {
+            let conversion = Conversion::new(ellipsoid, from, to).unwrap();
+            let isometric = scaled(&numbers(9, &[0.0, -0.0, 0.1, f64::INFINITY, f64::NEG_INFINITY]), 10.0);
+            let values = if from == Latitude::Isometric {
+                &isometric
+            } else {
+                &degrees
+            };
+            compare(
+                &format!("{from} to {to} in degrees"),
+                &[values.clone()],
+                |[value]| [conversion.degrees(value).unwrap()],
+                |[from], [to]| batch::latitude::degrees(&conversion, from, to).unwrap(),
+            );
+            let values = if from == Latitude::Isometric {
+                &isometric
+            } else {
+                &radians
+            };
+            compare(
+                &format!("{from} to {to} in radians"),
+                &[values.clone()],
+                |[value]| [conversion.radians(value).unwrap()],
+                |[from], [to]| batch::latitude::radians(&conversion, from, to).unwrap(),
+            );
+        }
+    }
+}
+
+#[test]
+fn latitudes_are_the_same_bits() {
+    every_latitude::<f64>();
+    every_latitude::<f32>();
+}
+
+fn every_ecef<T: Scalar>() {
+    let [lat, lon] = places::<T>();
+    let sizes = [0.0, -0.0, 1.0, 1e-4, 3e-3, 1e-30, 1e20];
+    for ellipsoid in [
+        Ellipsoid::<T>::wgs84(),
+        Ellipsoid::moon(),
+        Ellipsoid::new(T::of(6e6), T::of(-0.1)).unwrap(),
+    ] {
+        let heights = scaled(&numbers(10, ENDS), 1e7);
+        compare(
+            "to_ecef",
+            &[lat.clone(), lon.clone(), heights],
+            |[lat, lon, height]| {
+                let place = Geodetic::new(LatLon::new(lat, lon).unwrap(), height).unwrap();
+                ellipsoid.to_ecef(place).to_array()
+            },
+            |from, to| batch::ellipsoid::to_ecef(ellipsoid, from, to).unwrap(),
+        );
+        for special in [&sizes[..], &[]] {
+            compare(
+                "to_geodetic",
+                &[11, 12, 13].map(|seed| scaled(&numbers(seed, special), 7e6)),
+                |[x, y, z]| {
+                    let place = ellipsoid.to_geodetic(Ecef::new(x, y, z).unwrap());
+                    [place.lat(), place.lon(), place.height()]
+                },
+                |from, to| batch::ellipsoid::to_geodetic(ellipsoid, from, to).unwrap(),
+            );
+        }
+    }
+}
+
+#[test]
+fn ecef_is_the_same_bits() {
+    every_ecef::<f64>();
+    every_ecef::<f32>();
+}
+
+fn not_kept<T: Scalar>() {
+    // Vectors of any length, and longitudes beyond the half circle, as the constructors take them.
+    let size = T::of(if T::EPSILON.into() > 1e-10 { 1e15 } else { 1e150 });
+    let vectors = [1, 2, 3].map(|seed| {
+        let column = numbers::<T>(seed, &[2.0, -1e-12, 1.0]);
+        column
+            .iter()
+            .map(|&v| if v > T::of(1.5) { v * size } else { v })
+            .collect::<Vec<_>>()
+    });
+    compare(
+        "vectors",
+        &vectors,
+        |[x, y, z]| {
+            let place = Direction::new(x, y, z).unwrap().to_lat_lon();
+            [place.lat(), place.lon()]
+        },
+        |from, to| batch::position::to_lat_lon(from, to).unwrap(),
+    );
+    compare(
+        "vectors on faces",
+        &vectors,
+        |[x, y, z]| {
+            let point = Projection::Balanced.project(Direction::new(x, y, z).unwrap());
+            [number(point.face()), point.x(), point.y()]
+        },
+        |from, [face, x, y]| {
+            let mut faces = vec![Face::Front; face.len()];
+            batch::cube::project(Projection::Balanced, from, &mut faces, [x, y]).unwrap();
+            store(&faces, face);
+        },
+    );
+    let [lat, lon] = places::<T>();
+    let lon: Vec<T> = lon
+        .iter()
+        .enumerate()
+        .map(|(i, &lon)| lon * T::of((i % 5) as f64))
+        .collect();
+    let map = CubeMap::new(Ellipsoid::<T>::wgs84(), Shift::Conformal, Projection::Healpix).unwrap();
+    compare(
+        "longitudes",
+        &[lat.clone(), lon.clone()],
+        |[lat, lon]| {
+            let point = map.project(LatLon::new(lat, lon).unwrap());
+            [number(point.face()), point.x(), point.y()]
+        },
+        |from, [face, x, y]| {
+            let mut faces = vec![Face::Front; face.len()];
+            batch::map::project(&map, from, &mut faces, [x, y]).unwrap();
+            store(&faces, face);
+        },
+    );
+    let earth = Ellipsoid::<T>::wgs84();
+    compare(
+        "longitudes with heights",
+        &[lat.clone(), lon, lat],
+        |[lat, lon, height]| {
+            let place = Geodetic::new(LatLon::new(lat, lon).unwrap(), height).unwrap();
+            earth.to_ecef(place).to_array()
+        },
+        |from, to| batch::ellipsoid::to_ecef(earth, from, to).unwrap(),
+    );
+}
+
+#[test]
+fn what_the_constructors_change_is_changed() {
+    not_kept::<f64>();
+    not_kept::<f32>();
+}
+
+/// A batch with one bad element at `index`, or with a column that is too short, is refused and writes nothing.
+fn refuse<T: Scalar, E: PartialEq + core::fmt::Debug, const I: usize, const O: usize>(
+    good: [f64; I],
+    bad: &[([f64; I], E)],
+    batch: impl Fn([&[T]; I], [&mut [T]; O]) -> Result<(), InvalidBatch<E>>,
+) {
+    let mark = T::of(7.0);
+    let columns = good.map(|value| vec![T::of(value); 200]);
+    for (numbers, why) in bad {
+        for index in [0, 5, 63, 64, 150, 199] {
+            let mut columns = columns.clone();
+            // What follows is bad too; the first is reported.
+            for (column, value) in columns.iter_mut().zip(numbers) {
+                for slot in &mut column[index..] {
+                    *slot = T::of(*value);
+                }
+            }
+            let mut results = [(); O].map(|()| vec![mark; 200]);
+            let found = batch(
+                columns.each_ref().map(|c| &c[..]),
+                results.each_mut().map(|c| &mut c[..]),
+            );
+            match found {
+                Err(InvalidBatch::Element { index: at, why: found }) => {
+                    assert_eq!(at, index);
+                    assert_eq!(format!("{found:?}"), format!("{why:?}"));
+                }
+                other => panic!("{other:?}"),
+            }
+            assert!(results.iter().flatten().all(|&v| v == mark));
+        }
+    }
+    for short in 0..I + O {
+        let mut results = [(); O].map(|()| vec![mark; 200]);
+        let length = |column: usize| if column == short { 199 } else { 200 };
+        let mut outputs = results
+            .iter_mut()
+            .enumerate()
+            .map(|(i, column)| &mut column[..length(I + i)]);
+        let outputs = [(); O].map(|()| outputs.next().unwrap());
+        let mut inputs = columns.iter().enumerate().map(|(i, column)| &column[..length(i)]);
+        let inputs = [(); I].map(|()| inputs.next().unwrap());
+        let (first, other) = if short == 0 { (199, 200) } else { (200, 199) };
+        assert_eq!(batch(inputs, outputs), Err(InvalidBatch::Lengths { first, other }));
+        assert!(results.iter().flatten().all(|&v| v == mark));
+    }
+}
+
+fn every_refusal<T: Scalar + PartialEq>() {
+    let of = |value: f64| T::of(value);
+    let nan = f64::NAN;
+    let infinite = f64::INFINITY;
+    let vector = |[x, y, z]: [f64; 3]| {
+        let why = InvalidDirection {
+            x: of(x),
+            y: of(y),
+            z: of(z),
+        };
+        ([x, y, z], why)
+    };
+    let vectors = [[0.0, 0.0, 0.0], [nan, 1.0, 0.0], [0.0, infinite, 0.0], [0.0, 0.0, nan]].map(vector);
+    let places = [
+        ([nan, 0.0], InvalidLatLon::Latitude(of(nan))),
+        ([90.001, 0.0], InvalidLatLon::Latitude(of(90.001))),
+        ([-91.0, nan], InvalidLatLon::Latitude(of(-91.0))),
+        ([1.0, nan], InvalidLatLon::Longitude(of(nan))),
+        ([1.0, -infinite], InvalidLatLon::Longitude(of(-infinite))),
+    ];
+    let point = |[x, y]: [f64; 2]| ([0.0, x, y], InvalidFacePoint { x: of(x), y: of(y) });
+    let points = [[1.000_001, 0.0], [0.0, -2.0], [nan, 0.0], [0.5, nan]].map(point);
+    let shifted = Shifted::new(Ellipsoid::<T>::wgs84(), Shift::Authalic).unwrap();
+    let map = CubeMap::new(Ellipsoid::<T>::wgs84(), Shift::Authalic, Projection::Vertex).unwrap();
+    let earth = Ellipsoid::<T>::wgs84();
+
+    refuse::<T, _, 3, 2>([1.0, 0.0, 0.0], &vectors, batch::position::to_lat_lon);
+    refuse::<T, _, 3, 2>([3.0, 0.0, 0.0], &vectors, |from, to| {
+        batch::latitude::to_lat_lon(&shifted, from, to)
+    });
+    refuse::<T, _, 2, 3>([1.0, 0.0], &places, batch::position::to_direction);
+    refuse::<T, _, 2, 3>([1.0, 300.0], &places, |from, to| {
+        batch::latitude::to_direction(&shifted, from, to)
+    });
+    refuse::<T, _, 3, 3>([1.0, 0.0, 0.0], &vectors, |from, [face, x, y]| {
+        with_faces(face, |faces| {
+            batch::cube::project(Projection::Vertex, from, faces, [x, y])
+        })
+    });
+    refuse::<T, _, 2, 3>([1.0, 0.0], &places, |from, [face, x, y]| {
+        with_faces(face, |faces| batch::map::project(&map, from, faces, [x, y]))
+    });
+    // The points are the first slices here, the faces count as results.
+    let batch_of_points = |[x, y]: [&[T]; 2], [face, a, b, c]: [&mut [T]; 4]| {
+        with_faces(face, |faces| {
+            batch::cube::unproject(Projection::Vertex, faces, [x, y], [a, b, c])
+        })
+    };
+    let pairs: Vec<_> = points.iter().map(|&([_, x, y], why)| ([x, y], why)).collect();
+    refuse::<T, _, 2, 4>([0.5, 0.5], &pairs, batch_of_points);
+    refuse::<T, _, 2, 3>([0.5, 0.5], &pairs, |[x, y], [face, a, b]| {
+        with_faces(face, |faces| batch::map::unproject(&map, faces, [x, y], [a, b]))
+    });
+
+    let conversion = Conversion::new(earth, Latitude::Geodetic, Latitude::Authalic).unwrap();
+    let latitudes = [nan, 91.0, -100.0, infinite].map(|value| ([value], InvalidLatitude(of(value))));
+    refuse::<T, _, 1, 1>([45.0], &latitudes, |[from], [to]| {
+        batch::latitude::degrees(&conversion, from, to)
+    });
+    refuse::<T, _, 1, 1>([0.5], &latitudes, |[from], [to]| {
+        batch::latitude::radians(&conversion, from, to)
+    });
+
+    let ecef = [[nan, 0.0, 0.0], [0.0, infinite, 0.0], [0.0, 0.0, -infinite]];
+    let ecef = ecef.map(|[x, y, z]| {
+        (
+            [x, y, z],
+            InvalidEcef {
+                x: of(x),
+                y: of(y),
+                z: of(z),
+            },
+        )
+    });
+    refuse::<T, _, 3, 3>([7e6, 0.0, 0.0], &ecef, |from, to| {
+        batch::ellipsoid::to_geodetic(earth, from, to)
+    });
+    let mut geodetic: Vec<_> = places
+        .iter()
+        .map(|&([lat, lon], why)| ([lat, lon, 0.0], InvalidGeodetic::LatLon(why)))
+        .collect();
+    for height in [nan, infinite] {
+        let why = InvalidHeight { height: of(height) };
+        geodetic.push(([0.0, 200.0, height], InvalidGeodetic::Height(why)));
+    }
+    refuse::<T, _, 3, 3>([1.0, 2.0, 3.0], &geodetic, |from, to| {
+        batch::ellipsoid::to_ecef(earth, from, to)
+    });
+}
+
+/// Faces in place of a column of numbers, which keeps its mark if they keep theirs.
+fn with_faces<T: Scalar, E>(column: &mut [T], work: impl FnOnce(&mut [Face]) -> Result<(), E>) -> Result<(), E> {
+    let mut faces = vec![Face::Left; column.len()];
+    let result = work(&mut faces);
+    if result.is_err() {
+        assert!(faces.iter().all(|&face| face == Face::Left));
+    }
+    result
+}
+
+#[test]
+fn refusals_write_nothing() {
+    every_refusal::<f64>();
+    every_refusal::<f32>();
+}
