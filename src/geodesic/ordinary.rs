@@ -12,7 +12,9 @@ use core::f64::consts::PI;
 use super::degrees::{Split, off_pole, wrapped};
 use super::karney::Series;
 use super::{Direct, Inverse};
-use crate::math::{Polynomial, halves, max, octant, select, sin_cos, sin_cos_degrees, sin_cos_eighth, sin_cos_quarter};
+use crate::math::{
+    Polynomial, choose, either, halves, max, octant, sin_cos, sin_cos_degrees, sin_cos_eighth, sin_cos_quarter,
+};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// An ellipsoid as the straight lines need it.
@@ -205,13 +207,13 @@ impl<T: Real> Ordinary<T> {
         let Split { angle, rest } = Split::sum(to.lon() + T::ZERO, -from.lon());
         let (around, east) = (angle.abs(), T::ONE.copysign(angle));
         let over = around > T::of(180.0);
-        let lon = select(over, T::of(360.0) - around, around);
-        let rest = rest * east;
-        let rest = select(over, -rest, rest);
-        let east = select(over, -east, east);
+        let turn = T::ONE - either(over, T::of(2.0));
+        let lon = either(over, T::of(360.0)) + turn * around;
+        let rest = rest * east * turn;
+        let east = east * turn;
         let swap = from.lat().abs() < to.lat().abs();
-        let lat1 = select(swap, to.lat(), from.lat());
-        let lat2 = select(swap, from.lat(), to.lat());
+        let lat1 = choose(swap, to.lat(), from.lat());
+        let lat2 = choose(swap, from.lat(), to.lat());
         let (beta1, inverse1) = self.parametric(lat1);
         let (beta2, inverse2) = self.parametric(lat2);
         Pair {
@@ -269,11 +271,11 @@ impl<T: Real> Ordinary<T> {
         let turn = side * step * arc.inverse_square;
         let (course1, course2) = (arc.course1, arc.course2);
         let turns = (turn * (ends.beta2.1 * course2.1), turn * (ends.beta1.1 * course1.1));
+        let back = T::ONE - either(pair.swap, T::of(2.0));
         let azimuth = |(sin, cos): (T, T), turn: T| {
             let (eighths, small) = octant(sin.abs(), cos);
             let small = small + turn;
-            let eighths = select(pair.swap, T::of(4.0) - eighths, eighths);
-            let small = select(pair.swap, -small, small);
+            let (eighths, small) = (either(pair.swap, T::of(4.0)) + back * eighths, back * small);
             (eighths * T::of(45.0) + small * T::of(180.0 / PI)).copysign(sin * pair.east + T::ZERO)
         };
         let (alpha1, alpha2) = (azimuth(course1, turns.0), azimuth(course2, turns.1));
@@ -282,8 +284,8 @@ impl<T: Real> Ordinary<T> {
         let more = b1 + a1_less_1(epsilon) * (sigma + b1) + side * (arc.sin_alpha * excess / self.axes);
         let inverse = Inverse {
             distance: self.b * (high + (low + more)),
-            azimuth1: select(pair.swap, alpha2, alpha1),
-            azimuth2: select(pair.swap, alpha1, alpha2),
+            azimuth1: choose(pair.swap, alpha2, alpha1),
+            azimuth2: choose(pair.swap, alpha1, alpha2),
         };
         // Also false for NaN, which coincident places give.
         let settled = step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5);
@@ -427,7 +429,7 @@ impl<T: Real> Pair<T> {
         Ends {
             beta1: (side * sin1, cos1),
             beta2: (sin2, cos2),
-            rise: select(
+            rise: choose(
                 apart.abs() <= T::of(45.0),
                 sin_cos_eighth(apart * T::of(PI / 180.0)).0 * self.scale,
                 sin2 * cos1 - cos2 * (side * sin1),
@@ -495,7 +497,8 @@ impl<T: Real> Arc<T> {
         let (t, z) = (self.sin_sigma * reciprocal, (T::ONE - cos) * reciprocal);
         let curve = halves(z, T::terms(8, 6), |i| T::coefficient(&ROUGH_ATAN, i));
         let angle = (t + t) * curve;
-        select(self.cos_sigma < T::ZERO, of(PI) - angle, angle)
+        let back = self.cos_sigma < T::ZERO;
+        either(back, of(PI)) + (T::ONE - either(back, of(2.0))) * angle
     }
 }
 

@@ -1,5 +1,5 @@
 use super::minimax::ATAN;
-use super::{halves, max, min, select};
+use super::{either, halves, max, min, select};
 use crate::Real;
 
 /// Arc tangent in radians, in [−π/2, π/2].
@@ -60,19 +60,18 @@ pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
 pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
     let width = x.abs();
     let (low, high) = (min(y, width), max(y, width));
-    let middle = low > high * T::of(core::f64::consts::SQRT_2 - 1.0);
+    let middle = either(low > high * T::of(core::f64::consts::SQRT_2 - 1.0), T::ONE);
     let least = T::pick(1e-300, 1e-37);
-    let tangent = select(middle, low - high, low) / max(select(middle, low + high, high), least);
+    let tangent = (low - middle * high) / max(high + middle * low, least);
     let z = tangent * tangent;
     let curve = halves(z, T::terms(ATAN.f64.len(), ATAN.f32.len()), |i| {
         T::coefficient(&ATAN, i)
     });
     let rest = tangent + tangent * z * curve;
-    let steep = y > width;
-    let m = select(middle, T::ONE, T::ZERO);
-    let (m, rest) = (select(steep, T::of(2.0) - m, m), select(steep, -rest, rest));
-    let back = x < T::ZERO;
-    (select(back, T::of(4.0) - m, m), select(back, -rest, rest))
+    let two = T::of(2.0);
+    let (steep, back) = (either(y > width, two), either(x < T::ZERO, two));
+    let (turn, mirror) = (T::ONE - steep, T::ONE - back);
+    ((back + back) + mirror * (steep + turn * middle), (turn * mirror) * rest)
 }
 
 #[inline(always)]
@@ -158,10 +157,4 @@ impl<T: Real> Reduced<T> {
         let lost = (from - angle) + signed;
         angle + ((lost + quarter_low * quarters) + sign * small)
     }
-}
-
-/// A number, or 0.
-#[inline(always)]
-fn either<T: Real>(condition: bool, then: T) -> T {
-    select(condition, then, T::ZERO)
 }

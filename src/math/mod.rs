@@ -54,6 +54,18 @@ pub(crate) fn select<V>(condition: bool, then: V, otherwise: V) -> V {
     if condition { then } else { otherwise }
 }
 
+/// A number, or 0: a mask on any machine, never a branch.
+#[inline(always)]
+pub(crate) fn either<T: Real>(condition: bool, then: T) -> T {
+    select(condition, then, T::ZERO)
+}
+
+/// One of two finite numbers by a condition, without a branch on any machine; −0 becomes 0.
+#[inline(always)]
+pub(crate) fn choose<T: Real>(condition: bool, then: T, otherwise: T) -> T {
+    either(condition, then) + either(!condition, otherwise)
+}
+
 /// The smaller of two numbers.
 #[inline(always)]
 pub(crate) fn min<T: Real>(a: T, b: T) -> T {

@@ -1,5 +1,5 @@
 use super::minimax::{COS, SIN};
-use super::{halves, select};
+use super::{choose, either, halves, select};
 use crate::Real;
 
 /// Sine and cosine of an angle in radians.
@@ -105,8 +105,9 @@ fn reduced<T: Real>(x: T, low: T, lost: T) -> [(T, T); 2] {
 #[inline(always)]
 pub(crate) fn sin_cos_quarter<T: Real>(x: T) -> (T, T) {
     let upper = x > T::of(45.0);
-    let (sin, cos) = sin_cos_eighth(select(upper, T::of(90.0) - x, x) * T::of(core::f64::consts::PI / 180.0));
-    (select(upper, cos, sin), select(upper, sin, cos))
+    let turned = either(upper, T::of(90.0)) + (T::ONE - either(upper, T::of(2.0))) * x;
+    let (sin, cos) = sin_cos_eighth(turned * T::of(core::f64::consts::PI / 180.0));
+    (choose(upper, cos, sin), choose(upper, sin, cos))
 }
 
 /// Sine and cosine of |x| ≤ π/4, within 1 ulp, by a shorter chain than [`sin_cos_small`].
