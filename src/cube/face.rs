@@ -116,10 +116,10 @@ impl Face {
         matches!(self, Self::Right | Self::Left)
     }
 
-    /// 1, or −1 where the outward normal is along a negative axis: as a factor it needs no branch.
+    /// Whether the outward normal is along a negative axis.
     #[inline(always)]
-    fn sign<T: Real>(self) -> T {
-        select(matches!(self, Self::Back | Self::Left | Self::Bottom), -T::ONE, T::ONE)
+    const fn is_negative(self) -> bool {
+        matches!(self, Self::Back | Self::Left | Self::Bottom)
     }
 
     /// A vector in Earth axes, in this face's frame (right, up, outward).
@@ -131,7 +131,8 @@ impl Face {
     #[must_use]
     #[inline(always)]
     pub fn to_local<T: Real>(self, [x, y, z]: [T; 3]) -> [T; 3] {
-        let sign: T = self.sign();
+        // As a factor it needs no branch.
+        let sign = select(self.is_negative(), -T::ONE, T::ONE);
         let sideways = self.is_sideways();
         let polar = self.is_polar();
         [
@@ -145,13 +146,13 @@ impl Face {
     #[must_use]
     #[inline(always)]
     pub fn to_earth<T: Real>(self, [right, up, outward]: [T; 3]) -> [T; 3] {
-        let sign: T = self.sign();
+        let signed = |v: T| select(self.is_negative(), -v, v);
         let sideways = self.is_sideways();
         let polar = self.is_polar();
         [
-            sign * select(polar, -up, select(sideways, -right, outward)),
-            select(polar, right, sign * select(sideways, outward, right)),
-            select(polar, sign * outward, up),
+            signed(select(polar, -up, select(sideways, -right, outward))),
+            select(polar, right, signed(select(sideways, outward, right))),
+            select(polar, signed(outward), up),
         ]
     }
 
