@@ -128,10 +128,10 @@ impl<T: Real> Canonical<T> {
 
     /// Solves the problem.
     pub fn solve(&self, karney: &Karney<T>) -> Arc<T> {
-        if self.polar || self.lambda12.sin == T::ZERO {
-            if let Some(arc) = self.meridional(karney) {
-                return arc;
-            }
+        if (self.polar || self.lambda12.sin == T::ZERO)
+            && let Some(arc) = self.meridional(karney)
+        {
+            return arc;
         }
         let f = karney.ellipsoid.f();
         let equatorial = self.beta1.sin == T::ZERO;
