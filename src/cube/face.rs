@@ -116,10 +116,10 @@ impl Face {
         matches!(self, Self::Right | Self::Left)
     }
 
-    /// Whether the outward normal is along a negative axis.
+    /// 1, or −1 where the outward normal is along a negative axis: as a factor it needs no branch.
     #[inline(always)]
-    const fn is_negative(self) -> bool {
-        matches!(self, Self::Back | Self::Left | Self::Bottom)
+    fn sign<T: Real>(self) -> T {
+        select(matches!(self, Self::Back | Self::Left | Self::Bottom), -T::ONE, T::ONE)
     }
 
     /// A vector in Earth axes, in this face's frame (right, up, outward).
@@ -131,13 +131,13 @@ impl Face {
     #[must_use]
     #[inline(always)]
     pub fn to_local<T: Real>(self, [x, y, z]: [T; 3]) -> [T; 3] {
-        let signed = |v: T| select(self.is_negative(), -v, v);
+        let sign: T = self.sign();
         let sideways = self.is_sideways();
         let polar = self.is_polar();
         [
-            select(polar, y, signed(select(sideways, -x, y))),
-            select(polar, signed(-x), z),
-            signed(select(polar, z, select(sideways, y, x))),
+            select(polar, y, sign * select(sideways, -x, y)),
+            select(polar, sign * -x, z),
+            sign * select(polar, z, select(sideways, y, x)),
         ]
     }
 
@@ -145,13 +145,13 @@ impl Face {
     #[must_use]
     #[inline(always)]
     pub fn to_earth<T: Real>(self, [right, up, outward]: [T; 3]) -> [T; 3] {
-        let signed = |v: T| select(self.is_negative(), -v, v);
+        let sign: T = self.sign();
         let sideways = self.is_sideways();
         let polar = self.is_polar();
         [
-            signed(select(polar, -up, select(sideways, -right, outward))),
-            select(polar, right, signed(select(sideways, outward, right))),
-            select(polar, signed(outward), up),
+            sign * select(polar, -up, select(sideways, -right, outward)),
+            select(polar, right, sign * select(sideways, outward, right)),
+            select(polar, sign * outward, up),
         ]
     }
 

@@ -36,15 +36,19 @@ impl<T: Real> Complex<T> {
     /// products a coefficient (Knuth, The Art of Computer Programming 2, 4.6.4, eq. 3).
     #[inline(always)]
     pub fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self {
-        let (twice, norm) = (self.re + self.re, self.norm());
-        let (mut a, mut b) = (T::ZERO, T::ZERO);
-        for i in (1..T::terms(N, M)).rev() {
-            (a, b) = (T::coefficient(coefficients, i) + (twice * a - norm * b), a);
+        // Even and odd powers apart, as polynomials of the square: two chains at a time.
+        let square = self * self;
+        let (twice, norm) = (square.re + square.re, square.norm());
+        let (mut even, mut odd) = ((T::ZERO, T::ZERO), (T::ZERO, T::ZERO));
+        for i in (1..T::terms(N, M).div_ceil(2)).rev() {
+            let next = |(a, b): (T, T), i| (T::coefficient(coefficients, i) + (twice * a - norm * b), a);
+            (even, odd) = (next(even, 2 * i), next(odd, 2 * i + 1));
         }
-        Self {
-            re: T::coefficient(coefficients, 0) + (self.re * a - norm * b),
-            im: self.im * a,
-        }
+        let last = |(a, b): (T, T), i| Self {
+            re: T::coefficient(coefficients, i) + (square.re * a - norm * b),
+            im: square.im * a,
+        };
+        last(even, 0) + self * last(odd, 1)
     }
 }
 
