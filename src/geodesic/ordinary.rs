@@ -266,7 +266,7 @@ impl<T: Real> Ordinary<T> {
         let slope = T::ONE / self.slope(&arc, a3 * sigma + bend, sigma);
         let (eighths, small) = octant(arc.sin_sigma, arc.cos_sigma);
         // π/4 in two parts, the first so short that four times it is exact.
-        let high = eighths * T::pick(core::f64::consts::FRAC_PI_4, 0.785_398);
+        let high = eighths * T::pick(core::f64::consts::FRAC_PI_4, 1_647_099.0 / 2_097_152.0);
         let low = eighths * T::pick(3.061_616_997_868_383e-17, 1.569_582_4e-7) + small;
         let sigma = high + low;
         let rate = side * (self.f * arc.sin_alpha);
