@@ -20,6 +20,7 @@ struct Row {
 }
 
 #[rustfmt::skip]
+#[allow(clippy::approx_constant)] // six digits, as printed
 const TABLE: &[Row] = &[
     Row { name: "TSC", projection: Projection::Tangential, face: Face::Front, n: 3999,
         aspect: [0.707107, 1.414214, 2.000000, 0.154686], area: [0.222222, 1.0, 4.499999, 0.505758], printed: "" },
