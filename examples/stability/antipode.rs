@@ -127,7 +127,7 @@ impl Sheet {
     fn new(panels: usize) -> Self {
         // The legend takes the next place, and a row of its own needs less height.
         let row = PANEL + 54.0;
-        let last = if panels % COLUMNS == 0 { 200.0 } else { row };
+        let last = if panels.is_multiple_of(COLUMNS) { 200.0 } else { row };
         Self {
             svg: Svg::new(1400.0, 40.0 + (panels / COLUMNS) as f64 * row + last),
             drawn: 0,
@@ -161,7 +161,7 @@ impl Sheet {
                 self.svg
                     .text([area.x + along * PANEL, area.bottom() + 18.0], class, degrees);
             }
-            if self.drawn % COLUMNS == 0 {
+            if self.drawn.is_multiple_of(COLUMNS) {
                 let y = area.bottom() - along * PANEL + 5.0;
                 self.svg.text([area.x - 8.0, y], "small end", degrees);
             }
@@ -173,7 +173,7 @@ impl Sheet {
                 "east of the antipode",
             );
         }
-        if self.drawn % COLUMNS == 0 {
+        if self.drawn.is_multiple_of(COLUMNS) {
             let middle = [area.x - 52.0, area.y + 0.5 * PANEL];
             self.svg.upright(middle, "small middle", "north of the antipode");
         }
