@@ -4,6 +4,9 @@ use crate::pass::{Pass, Set};
 use crate::record::Record;
 use crate::timing::{REPETITIONS, time};
 
+/// The error of a row of the truth in metres, given the results of all.
+type ErrorOf = Box<dyn Fn(usize, &Set) -> Option<f64>>;
+
 /// What is computed, on which points, and what it should give. One per operation and convention of coordinates.
 pub struct Task {
     /// The chart.
@@ -15,7 +18,7 @@ pub struct Task {
     /// The inputs of the truth file.
     pub truth: Set,
     /// The error in metres of a row, given all results; `None` where the row says nothing.
-    pub error: Box<dyn Fn(usize, &Set) -> Option<f64>>,
+    pub error: ErrorOf,
 }
 
 /// The records so far.
@@ -70,16 +73,17 @@ fn largest_error(task: &Task, pass: &Pass) -> f64 {
     let worst = rows
         .filter_map(|i| Some((i, (task.error)(i, &room)?)))
         .max_by(|a, b| a.1.total_cmp(&b.1));
-    if std::env::var_os("PEERS_WORST").is_some() {
-        if let Some((i, error)) = worst {
-            let row = |set: &Set| set.columns.iter().map(|column| column[i]).collect::<Vec<_>>();
-            eprintln!(
-                "worst {error:e}: {:?} {:?} -> {:?}",
-                task.truth.face[i],
-                row(&task.truth),
-                row(&room)
-            );
-        }
+    if let Some((i, error)) = worst
+        && std::env::var_os("PEERS_WORST").is_some()
+    {
+        let row = |set: &Set| set.columns.iter().map(|column| column[i]).collect::<Vec<_>>();
+        let truth = &task.truth;
+        eprintln!(
+            "worst {error:e}: {} {:?} -> {:?}",
+            truth.face[i],
+            row(truth),
+            row(&room)
+        );
     }
     worst.map_or(f64::NAN, |(_, error)| error)
 }

@@ -57,6 +57,7 @@ fn cell(record: &Record) -> String {
     let time = format!("{:.digits$}", record.ns_min);
     match record.failures {
         0.0 => time,
-        share => format!("{time} ({:.2} % fail)", share * 100.0),
+        share if share < 1e-4 => format!("{time} (< 0.01 % fail)"),
+        share => format!("{time} ({:.0} % fail)", share * 100.0),
     }
 }
