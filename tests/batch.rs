@@ -1,8 +1,9 @@
 //! Over slices: the same bits as one by one, for every length and for special values; and refusals that write nothing.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)] // tests
 
-use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic};
+use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFacePoint, Projection, QuadCube};
+use terrella::geodesic::{GeodesicError, Karney, Straight, Vincenty};
 use terrella::latitude::{Conversion, InvalidLatitude};
 use terrella::{
     Direction, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon,
@@ -194,6 +195,111 @@ fn every_projection<T: Scalar>() {
 fn projections_are_the_same_bits() {
     every_projection::<f64>();
     every_projection::<f32>();
+}
+
+/// Pairs of places as latitude, longitude, latitude, longitude: anywhere, nearly coincident, nearly antipodal, on meridians and parallels.
+fn pairs<T: Scalar>() -> [Vec<T>; 4] {
+    let mut rng = fastrand::Rng::with_seed(31);
+    let [lat, lon] = places::<T>();
+    let tiny = |rng: &mut fastrand::Rng| T::of(10f64.powf(-12.0 * rng.f64()) * (2.0 * rng.f64() - 1.0));
+    let mut other = [const { Vec::new() }; 2];
+    for i in 0..ALL {
+        let j = rng.usize(0..ALL);
+        let (to_lat, to_lon) = match rng.u8(0..6) {
+            0 => (lat[i] + tiny(&mut rng), lon[i] + tiny(&mut rng)),
+            1 => (-lat[i] + tiny(&mut rng), lon[i] + T::of(180.0) + tiny(&mut rng)),
+            2 => (lat[i], lon[i]),
+            3 => (lat[j], lon[i]),
+            _ => (lat[j], lon[j]),
+        };
+        let to_lat = if to_lat.abs() > T::of(90.0) { lat[i] } else { to_lat };
+        other[0].push(to_lat);
+        other[1].push(to_lon);
+    }
+    let [lat2, lon2] = other;
+    [lat, lon, lat2, lon2]
+}
+
+fn every_geodesic<T: Scalar, M: Straight<T>>(method: &M) {
+    compare(
+        "inverse",
+        &pairs::<T>(),
+        |[lat1, lon1, lat2, lon2]| {
+            let line = method
+                .inverse(LatLon::new(lat1, lon1).unwrap(), LatLon::new(lat2, lon2).unwrap())
+                .unwrap();
+            [line.distance, line.azimuth1, line.azimuth2]
+        },
+        |[lat1, lon1, lat2, lon2], lines| {
+            batch::geodesic::inverse(method, [lat1, lon1], [lat2, lon2], lines).unwrap();
+        },
+    );
+    let [lat, lon, azimuth, distance] = pairs::<T>();
+    // The slow door too: azimuths beyond 360° and lines of many circuits.
+    for (turns, length) in [(1.0, 2e5), (3.0, 1.5e6)] {
+        compare(
+            "direct",
+            &[
+                lat.clone(),
+                lon.clone(),
+                scaled(&azimuth, turns * 2.0),
+                scaled(&distance, length),
+            ],
+            |[lat, lon, azimuth, distance]| {
+                let end = method
+                    .direct(LatLon::new(lat, lon).unwrap(), azimuth, distance)
+                    .unwrap();
+                [end.position.lat(), end.position.lon(), end.azimuth]
+            },
+            |[lat, lon, azimuth, distance], ends| {
+                batch::geodesic::direct(method, [lat, lon], azimuth, distance, ends).unwrap();
+            },
+        );
+    }
+}
+
+#[test]
+fn geodesics_are_the_same_bits() {
+    fn both<T: Scalar>(f: f64) {
+        let ellipsoid = Ellipsoid::new(T::of(6.4e6), T::of(f)).unwrap();
+        every_geodesic(&Karney::new(ellipsoid).unwrap());
+        if f.abs() < 0.016 {
+            every_geodesic(&Vincenty::new(ellipsoid).unwrap());
+        }
+    }
+    for f in [1.0 / 298.257, 0.0, 1.0 / 170.0, -1.0 / 150.0, 0.015, 0.1] {
+        both::<f64>(f);
+        both::<f32>(f);
+    }
+}
+
+#[test]
+fn geodesics_that_are_refused() {
+    let earth = Karney::new(Ellipsoid::wgs84()).unwrap();
+    let refused = |lat, azimuth, distance| {
+        let mut ends = [[7.0]; 3];
+        let [a, b, c] = &mut ends;
+        let why = batch::geodesic::direct(&earth, [&[lat], &[0.0]], &[azimuth], &[distance], [a, b, c]).unwrap_err();
+        assert_eq!(ends, [[7.0]; 3]);
+        why
+    };
+    let element = |why| InvalidBatch::Element { index: 0, why };
+    assert_eq!(
+        refused(91.0, 0.0, 0.0),
+        element(InvalidProblem::LatLon(InvalidLatLon::Latitude(91.0)))
+    );
+    assert_eq!(
+        refused(0.0, f64::INFINITY, 0.0),
+        element(InvalidProblem::Geodesic(GeodesicError::Azimuth(f64::INFINITY)))
+    );
+    assert_eq!(
+        refused(0.0, 0.0, 1e15),
+        element(InvalidProblem::Geodesic(GeodesicError::Distance(1e15)))
+    );
+    let mut lines = [[0.0; 2], [0.0; 2], [0.0; 2]];
+    let [a, b, c] = &mut lines;
+    let why = batch::geodesic::inverse(&earth, [&[0.0, 0.0], &[0.0, 0.0]], [&[0.0], &[0.0]], [a, b, c]).unwrap_err();
+    assert_eq!(why, InvalidBatch::Lengths { first: 2, other: 1 });
 }
 
 fn every_position<T: Scalar>() {

@@ -10,6 +10,7 @@
 //! | [`latitude::to_direction`], [`latitude::to_lat_lon`] | [`Shifted::to_direction`](crate::Shifted::to_direction), [`Shifted::to_lat_lon`](crate::Shifted::to_lat_lon) |
 //! | [`latitude::degrees`], [`latitude::radians`] | [`Conversion::degrees`](crate::latitude::Conversion::degrees), [`Conversion::radians`](crate::latitude::Conversion::radians) |
 //! | [`ellipsoid::to_ecef`], [`ellipsoid::to_geodetic`] | [`Ellipsoid::to_ecef`](crate::Ellipsoid::to_ecef), [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic) |
+//! | [`geodesic::inverse`], [`geodesic::direct`] | [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse), [`Geodesic::direct`](crate::geodesic::Geodesic::direct) |
 //! | [`cube::project`], [`cube::unproject`] | [`CubeProjection::project`](crate::cube::CubeProjection::project), [`CubeProjection::unproject`](crate::cube::CubeProjection::unproject) |
 //! | [`map::project`], [`map::unproject`] | [`CubeMap::project`](crate::cube::CubeMap::project), [`CubeMap::unproject`](crate::cube::CubeMap::unproject) |
 //!
@@ -37,6 +38,7 @@ use core::fmt;
 mod block;
 pub mod cube;
 pub mod ellipsoid;
+pub mod geodesic;
 pub mod latitude;
 pub mod map;
 pub mod position;

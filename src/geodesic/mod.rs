@@ -14,6 +14,7 @@ mod great_circle;
 mod haversine;
 mod karney;
 mod method;
+mod ordinary;
 mod vincenty;
 
 pub use andoyer::Andoyer;
@@ -39,6 +40,27 @@ pub trait Geodesic<T: Real> {
     /// # Errors
     /// [`GeodesicError::Azimuth`] and [`GeodesicError::Distance`] for what is not finite; else what the method's own documentation says.
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>>;
+}
+
+/// A method that solves its ordinary problems in straight lines of arithmetic, so that a loop over them vectorises:
+/// [`batch::geodesic`](crate::batch::geodesic) is that loop. Sealed.
+pub trait Straight<T: Real>: Geodesic<T> + Send + Sync + sealed::Sealed {
+    /// The inverse problem, and whether the answer is that of [`Geodesic::inverse`], bit for bit: not between coincident and nearly
+    /// antipodal places, nor on ellipsoids with |f| > 1/149.
+    fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool);
+
+    /// The direct problem, and whether the answer is that of [`Geodesic::direct`], bit for bit: not for azimuths beyond ±360°, nor after
+    /// very many circuits, nor on ellipsoids with |f| > 1/149.
+    fn ordinary_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool);
+
+    /// Whether the distance in metres is at most 50 polar radii: no direct problem so long is refused.
+    fn reaches(&self, distance: T) -> bool;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl<T> Sealed for super::Karney<T> {}
+    impl<T> Sealed for super::Vincenty<T> {}
 }
 
 /// The solution of the inverse problem.

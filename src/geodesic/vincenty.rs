@@ -1,6 +1,8 @@
 use super::auxiliary::{Arc, Ends, Start, nearly_round, waves};
 use super::degrees::{heading, wrapped};
-use super::{Direct, Geodesic, GeodesicError, Inverse};
+use super::karney;
+use super::ordinary::Ordinary;
+use super::{Direct, Geodesic, GeodesicError, Inverse, Straight};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::{max, sin_cos};
 use crate::{Ellipsoid, LatLon, Real};
@@ -45,6 +47,7 @@ use crate::{Ellipsoid, LatLon, Real};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Vincenty<T> {
+    ordinary: Ordinary<T>,
     a: T,
     f: T,
     axes: T,
@@ -77,6 +80,7 @@ impl<T: Real> Vincenty<T> {
         let n = ellipsoid.n();
         let n2 = n * n;
         Ok(Self {
+            ordinary: Ordinary::new(ellipsoid, &karney::Series::new(ellipsoid)),
             a: ellipsoid.a(),
             f: ellipsoid.f(),
             axes: T::ONE - ellipsoid.f(),
@@ -160,10 +164,10 @@ impl<T: Real> Vincenty<T> {
         }
         None
     }
-}
 
-impl<T: Real> Geodesic<T> for Vincenty<T> {
-    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+    #[cold]
+    #[inline(never)]
+    fn hard_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         let ends = Ends::new(self.axes, from, to);
         let (arc, series, _) = self.solve(&ends).ok_or(GeodesicError::NotConverged(from, to))?;
         let (azimuth1, azimuth2) = arc.azimuths();
@@ -174,7 +178,9 @@ impl<T: Real> Geodesic<T> for Vincenty<T> {
         })
     }
 
-    fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
+    #[cold]
+    #[inline(never)]
+    fn hard_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let start = Start::new(self.axes, from, heading(azimuth, distance)?);
         let series = self.series(start.cos2_alpha);
         let whole = distance / (self.a * (self.axes * series.a1));
@@ -202,5 +208,39 @@ impl<T: Real> Geodesic<T> for Vincenty<T> {
             position: LatLon::within(end.lat, wrapped(wrapped(lon) + from.lon())),
             azimuth: end.azimuth,
         })
+    }
+}
+
+impl<T: Real> Geodesic<T> for Vincenty<T> {
+    #[inline]
+    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+        let inverse = self.ordinary.inverse(from, to);
+        inverse.map_or_else(|| self.hard_inverse(from, to), Ok)
+    }
+
+    #[inline]
+    fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
+        let (there, found) = self.ordinary.direct(from, azimuth, distance);
+        if found {
+            return Ok(there);
+        }
+        self.hard_direct(from, azimuth, distance)
+    }
+}
+
+impl<T: Real> Straight<T> for Vincenty<T> {
+    #[inline(always)]
+    fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        self.ordinary.near_inverse(from, to)
+    }
+
+    #[inline(always)]
+    fn ordinary_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        self.ordinary.direct(from, azimuth, distance)
+    }
+
+    #[inline(always)]
+    fn reaches(&self, distance: T) -> bool {
+        self.ordinary.reaches(distance)
     }
 }

@@ -1,5 +1,5 @@
 use super::minimax::ATAN;
-use super::{max, min, select};
+use super::{either, halves, max, min, select};
 use crate::Real;
 
 /// Arc tangent in radians, in [−π/2, π/2].
@@ -51,6 +51,27 @@ pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
     let curve = r * z * z.polynomial(&ATAN) * (k1 + k2);
     let small = head * k1 + (curve + (tail * k1 + r * k2 + (reduced.lost * k1 + low)));
     reduced.opened((high, small), (T::of(90.0), T::ZERO)).copysign(y)
+}
+
+/// The angle of the point (x, y), y ≥ 0, from the x axis: a multiple of 45° and the rest in radians, within π/8 and 1.5 ulp.
+///
+/// Half the arithmetic of [`atan2`], for numbers whose squares are normal; (0, 0) gives 0.
+#[inline(always)]
+pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
+    let width = x.abs();
+    let (low, high) = (min(y, width), max(y, width));
+    let middle = either(low > high * T::of(core::f64::consts::SQRT_2 - 1.0), T::ONE);
+    let least = T::pick(1e-300, 1e-37);
+    let tangent = (low - middle * high) / max(high + middle * low, least);
+    let z = tangent * tangent;
+    let curve = halves(z, T::terms(ATAN.f64.len(), ATAN.f32.len()), |i| {
+        T::coefficient(&ATAN, i)
+    });
+    let rest = tangent + tangent * z * curve;
+    let two = T::of(2.0);
+    let (steep, back) = (either(y > width, two), either(x < T::ZERO, two));
+    let (turn, mirror) = (T::ONE - steep, T::ONE - back);
+    ((back + back) + mirror * (steep + turn * middle), (turn * mirror) * rest)
 }
 
 #[inline(always)]
@@ -136,10 +157,4 @@ impl<T: Real> Reduced<T> {
         let lost = (from - angle) + signed;
         angle + ((lost + quarter_low * quarters) + sign * small)
     }
-}
-
-/// A number, or 0.
-#[inline(always)]
-fn either<T: Real>(condition: bool, then: T) -> T {
-    select(condition, then, T::ZERO)
 }

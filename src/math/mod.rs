@@ -21,14 +21,15 @@ mod polynomial;
 mod sin_cos;
 mod tan;
 
+pub(crate) use atan::octant;
 pub use atan::{atan, atan2, atan2_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::{Complex, complex_polynomial};
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
-pub(crate) use polynomial::odd_unit;
+pub(crate) use polynomial::{halves, odd_unit};
 pub use sin_cos::{sin_cos, sin_cos_degrees};
-pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_small};
+pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_eighth, sin_cos_quarter, sin_cos_small};
 pub use tan::tan;
 
 use crate::Real;
@@ -53,6 +54,18 @@ pub(crate) use repeat;
 #[inline(always)]
 pub(crate) fn select<V>(condition: bool, then: V, otherwise: V) -> V {
     if condition { then } else { otherwise }
+}
+
+/// A number, or 0: a mask on any machine, never a branch.
+#[inline(always)]
+pub(crate) fn either<T: Real>(condition: bool, then: T) -> T {
+    select(condition, then, T::ZERO)
+}
+
+/// One of two finite numbers by a condition, without a branch on any machine; −0 becomes 0.
+#[inline(always)]
+pub(crate) fn choose<T: Real>(condition: bool, then: T, otherwise: T) -> T {
+    either(condition, then) + either(!condition, otherwise)
 }
 
 /// The smaller of two numbers.

@@ -5,7 +5,7 @@ use crate::math::{atan2, atan2_degrees, sin_cos, sin_cos_degrees};
 /// An angle by its sine and cosine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Angle<T> {
+pub struct Angle<T> {
     pub sin: T,
     pub cos: T,
 }

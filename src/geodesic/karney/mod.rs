@@ -1,5 +1,6 @@
 use super::degrees::hypot;
-use super::{Direct, Geodesic, GeodesicError, Inverse};
+use super::ordinary::Ordinary;
+use super::{Direct, Geodesic, GeodesicError, Inverse, Straight};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::max;
 use crate::{Ellipsoid, LatLon, Real};
@@ -16,7 +17,7 @@ mod series;
 
 use angle::Angle;
 use inverse::{Canonical, tiny};
-use series::Series;
+pub(super) use series::Series;
 
 pub use area::Area;
 pub use line::{Line, LinePoint};
@@ -47,6 +48,7 @@ pub use polygon::PolygonArea;
 pub struct Karney<T> {
     ellipsoid: Ellipsoid<T>,
     series: Series<T>,
+    ordinary: Ordinary<T>,
     /// b/a = 1 − f.
     axes: T,
     /// The arc in radians below which the sphere of the middle latitude is exact enough.
@@ -85,11 +87,29 @@ impl<T: Real> Karney<T> {
         let half = T::of(0.5);
         let size = max(T::of(0.001), f.abs());
         let narrow = if f > T::ZERO { T::ONE - half * f } else { T::ONE };
+        let series = Series::new(ellipsoid);
         Ok(Self {
             ellipsoid,
-            series: Series::new(ellipsoid),
+            series,
+            ordinary: Ordinary::new(ellipsoid, &series),
             axes: T::ONE - f,
             short: T::of(0.1) * T::EPSILON.sqrt() / (half * size * narrow).sqrt(),
+        })
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn hard_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
+        self.solve(from, to).inverse
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn hard_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
+        let point = self.line(from, azimuth)?.at(distance)?;
+        Ok(Direct {
+            position: point.position,
+            azimuth: point.azimuth,
         })
     }
 
@@ -141,15 +161,35 @@ impl<T: Real> Karney<T> {
 
 impl<T: Real> Geodesic<T> for Karney<T> {
     /// Never fails.
+    #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        Ok(self.solve(from, to).inverse)
+        let inverse = self.ordinary.inverse(from, to);
+        Ok(inverse.unwrap_or_else(|| self.hard_inverse(from, to)))
     }
 
+    #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let point = self.line(from, azimuth)?.at(distance)?;
-        Ok(Direct {
-            position: point.position,
-            azimuth: point.azimuth,
-        })
+        let (there, found) = self.ordinary.direct(from, azimuth, distance);
+        if found {
+            return Ok(there);
+        }
+        self.hard_direct(from, azimuth, distance)
+    }
+}
+
+impl<T: Real> Straight<T> for Karney<T> {
+    #[inline(always)]
+    fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        self.ordinary.near_inverse(from, to)
+    }
+
+    #[inline(always)]
+    fn ordinary_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        self.ordinary.direct(from, azimuth, distance)
+    }
+
+    #[inline(always)]
+    fn reaches(&self, distance: T) -> bool {
+        self.ordinary.reaches(distance)
     }
 }

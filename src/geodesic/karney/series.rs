@@ -8,7 +8,7 @@ pub(super) type Row<T> = [T; table::ORDER.0];
 /// The series of the geodesic integrals for one ellipsoid (Karney 2013, §§3, 4, 6; orders and tables from `geodesic.py`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Series<T> {
+pub struct Series<T> {
     /// Terms that reach rounding for this flattening.
     order: usize,
     /// A₃ by powers of ε.
@@ -34,6 +34,18 @@ impl<T: Real> Series<T> {
         in_n(n, 0, &table::A3, &mut a3);
         in_n(n, 1, &table::C3, &mut c3);
         Self { order, a3, c3 }
+    }
+
+    /// A₃ by powers of ε, and the rows A₃C₃ₗ/ε^l, l = 1 … 4, both to ε⁴.
+    pub fn low_orders(&self) -> ([T; 5], [T; 10]) {
+        let mut powers = self.a3.iter().copied();
+        let a3 = [(); 5].map(|()| powers.next().unwrap_or(T::ZERO));
+        let mut entries = (1..5).flat_map(|l| {
+            let start = (1..l).map(|m| longest::<T>() - m).sum();
+            self.c3.iter().copied().skip(start).take(5 - l)
+        });
+        let c3 = [(); 10].map(|()| entries.next().unwrap_or(T::ZERO));
+        (a3, c3)
     }
 
     /// ε from k² (Karney 17).
