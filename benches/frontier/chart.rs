@@ -23,19 +23,21 @@ text{font-family:'Liberation Sans','DejaVu Sans',Arial,sans-serif;font-size:13px
 };
 
 const WIDTH: f64 = 1100.0;
-const LEFT: f64 = 84.0;
+const LEFT: f64 = 100.0;
 const RIGHT: f64 = 24.0;
 /// Width of the column with a key.
 const KEY: f64 = 190.0;
-/// Above the first panel, of a panel's plot, between panels, and under the last.
+/// Above the first panel, between panels, and under the last.
 const HEAD: f64 = 86.0;
-const PLOT: f64 = 470.0;
 const BETWEEN: f64 = 92.0;
 const FOOT: f64 = 40.0;
 
 /// Blue and vermilion of the palette of Okabe and Ito.
 const OURS: &str = "#0072b2";
 const THEIRS: &str = "#d55e00";
+
+/// Marks closer than this share a name.
+const HIDDEN: f64 = 9.0;
 
 /// Errors below are drawn here.
 const LEAST_ERROR: f64 = 1e-11;
@@ -64,15 +66,15 @@ pub struct Panel {
     pub key: Vec<(String, String)>,
 }
 
-/// Draws a chart.
-pub fn draw(title: &str, caption: &str, panels: &[Panel]) -> Svg {
-    let height = HEAD + panels.len() as f64 * (PLOT + BETWEEN) + FOOT;
+/// Draws a chart with plots of a height.
+pub fn draw(title: &str, caption: &str, panels: &[Panel], plot: f64) -> Svg {
+    let height = HEAD + panels.len() as f64 * (plot + BETWEEN) + FOOT;
     let mut svg = Svg::new(WIDTH, height);
     svg.text([LEFT, 34.0], "title", title);
     legend(&mut svg, [LEFT, 58.0]);
     for (panel, i) in panels.iter().zip(0..) {
-        let top = HEAD + f64::from(i) * (PLOT + BETWEEN) + 34.0;
-        panel.draw(&mut svg, top);
+        let top = HEAD + f64::from(i) * (plot + BETWEEN) + 34.0;
+        panel.draw(&mut svg, top, plot);
     }
     svg.text([LEFT, height - 18.0], "tick", caption);
     svg
@@ -126,27 +128,27 @@ fn cross(svg: &mut Svg, [x, y]: [f64; 2]) {
     ));
 }
 
-/// The exponents of ten that hold all values, with room at both ends.
-fn exponents(values: impl Iterator<Item = f64>) -> [f64; 2] {
+/// The exponents of ten that hold all values, with room for names at both ends.
+fn exponents(values: impl Iterator<Item = f64>, [below, above]: [f64; 2]) -> [f64; 2] {
     let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
         [low.min(value), high.max(value)]
     });
-    [low.log10() - 0.25, high.log10() + 0.35]
+    [low.log10() - below, high.log10() + above]
 }
 
 impl Panel {
-    fn draw(&self, svg: &mut Svg, top: f64) {
+    fn draw(&self, svg: &mut Svg, top: f64, plot: f64) {
         let right = WIDTH - RIGHT - if self.key.is_empty() { 0.0 } else { KEY };
-        let frame: Area = [LEFT, top, right, top + PLOT];
+        let frame: Area = [LEFT, top, right, top + plot];
         let error = |mark: &Mark| mark.error.max(LEAST_ERROR);
         let times = self.marks.iter().map(|mark| mark.ns);
         let x = LogAxis {
-            exponents: exponents(times.chain(self.guides.iter().map(|&(ns, _)| ns))),
+            exponents: exponents(times.chain(self.guides.iter().map(|&(ns, _)| ns)), [0.25, 0.35]),
             ends: [LEFT, right],
         };
         let y = LogAxis {
-            exponents: exponents(self.marks.iter().map(error)),
-            ends: [top + PLOT, top],
+            exponents: exponents(self.marks.iter().map(error), [1.4, 1.4]),
+            ends: [top + plot, top],
         };
         let at = |mark: &Mark| [x.at(mark.ns), y.at(error(mark))];
 
@@ -157,10 +159,10 @@ impl Panel {
             let along = x.at(*ns);
             svg.add(format_args!(
                 "<path class=\"guide\" d=\"M{along:.1} {top:.1}V{:.1}\"/>",
-                top + PLOT
+                top + plot
             ));
-            svg.upright([along - 5.0, top + 0.5 * PLOT], "name middle", name);
-            taken.push([along - 18.0, top, along + 3.0, top + PLOT]);
+            svg.upright([along - 5.0, top + 0.5 * plot], "name middle", name);
+            taken.push([along - 18.0, top, along + 3.0, top + plot]);
         }
         svg.polyline(
             &front(&self.marks)
@@ -171,33 +173,22 @@ impl Panel {
             "",
         );
 
-        // Names from the right, where there is room.
-        let mut marks: Vec<&Mark> = self.marks.iter().collect();
-        marks.sort_by(|a, b| b.ns.total_cmp(&a.ns).then(a.error.total_cmp(&b.error)));
-        let named: Vec<_> = marks.iter().map(|mark| (at(mark), mark.label.as_str())).collect();
-        let labels = place(&named, frame, &taken);
-        for (label, mark) in labels.iter().zip(&marks) {
-            if let Some([x2, y2]) = label.leader {
-                let [x1, y1] = at(mark);
-                svg.add(format_args!(
-                    "<path class=\"leader\" d=\"M{x1:.1} {y1:.1}L{x2:.1} {y2:.1}\"/>"
-                ));
-            }
-        }
-        for mark in &marks {
-            symbol(
-                svg,
-                at(mark),
-                mark.single,
-                mark.batch,
-                if mark.ours { OURS } else { THEIRS },
-            );
+        for mark in &self.marks {
+            let colour = if mark.ours { OURS } else { THEIRS };
+            symbol(svg, at(mark), mark.single, mark.batch, colour);
             if mark.failures > 0.0 {
                 cross(svg, at(mark));
             }
         }
-        for (label, mark) in labels.iter().zip(&marks) {
-            let class = if mark.ours { "name ours" } else { "name theirs" };
+        let clusters = clusters(&self.marks, at);
+        let named: Vec<_> = clusters.iter().map(|(at, name, _)| (*at, name.as_str())).collect();
+        for (label, ([x1, y1], _, ours)) in place(&named, frame, &taken).iter().zip(&clusters) {
+            if let Some([x2, y2]) = label.leader {
+                svg.add(format_args!(
+                    "<path class=\"leader\" d=\"M{x1:.1} {y1:.1}L{x2:.1} {y2:.1}\"/>"
+                ));
+            }
+            let class = if *ours { "name ours" } else { "name theirs" };
             svg.text(label.at, class, label.text);
         }
         for ((short, long), i) in self.key.iter().zip(0..) {
@@ -225,7 +216,7 @@ fn axes(svg: &mut Svg, x: &LogAxis, y: &LogAxis) {
         }
     }
     svg.text([right, bottom + 38.0], "tick end", "time per point →");
-    svg.upright([left - 66.0, top], "tick end", "largest error →");
+    svg.upright([left - 80.0, top], "tick end", "largest error →");
     svg.add(format_args!(
         "<rect class=\"frame\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>",
         right - left,
@@ -239,6 +230,28 @@ fn nanoseconds(ns: f64) -> String {
         1.0.. => format!("{} ns", ns.round()),
         _ => format!("{ns:.1} ns"),
     }
+}
+
+/// Marks alike that all but hide each other: where they are, their names in one, whether they are terrella's. From the right, where there
+/// is room.
+fn clusters(marks: &[Mark], at: impl Fn(&Mark) -> [f64; 2]) -> Vec<([f64; 2], String, bool)> {
+    let mut marks: Vec<&Mark> = marks.iter().collect();
+    marks.sort_by(|a, b| b.ns.total_cmp(&a.ns).then(a.error.total_cmp(&b.error)));
+    let look = |mark: &Mark| [mark.ours, mark.single, mark.batch];
+    let mut clusters: Vec<(&Mark, Vec<&str>)> = Vec::new();
+    for mark in marks {
+        let [x, y] = at(mark);
+        let hides = |other: &Mark| {
+            let [other_x, other_y] = at(other);
+            look(other) == look(mark) && (x - other_x).hypot(y - other_y) < HIDDEN
+        };
+        match clusters.iter_mut().find(|(other, _)| hides(other)) {
+            Some((_, names)) => names.push(&mark.label),
+            None => clusters.push((mark, vec![&mark.label])),
+        }
+    }
+    let joined = |(mark, names): (&Mark, Vec<&str>)| (at(mark), names.join(", "), mark.ours);
+    clusters.into_iter().map(joined).collect()
 }
 
 /// The steps below which nothing is: of all that never fails, what nothing is faster and more exact than.

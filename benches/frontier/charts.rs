@@ -1,5 +1,6 @@
 //! Which records stand on which chart.
 
+use terrella::Latitude;
 use terrella::cube::Projection;
 
 use crate::bench::OURS;
@@ -11,11 +12,21 @@ use crate::record::Record;
 pub struct Chart {
     pub file: &'static str,
     pub title: &'static str,
+    /// Of each plot.
+    pub height: f64,
     pub panels: Vec<Panel>,
 }
 
 /// All three, of terrella's records and the rivals'.
 pub fn all(records: &[Record]) -> Vec<Chart> {
+    let projections: Vec<String> = Projection::ALL
+        .iter()
+        .map(|&projection| projection_key(projection))
+        .collect();
+    let latitudes: Vec<String> = Latitude::ALL[1..]
+        .iter()
+        .map(|latitude| latitude.name().to_owned())
+        .collect();
     let of = |chart: &str, input: &str, operations: &dyn Fn(&str) -> bool| -> Vec<&Record> {
         let wanted = records.iter().filter(|record| {
             record.chart == chart && record.input == input && operations(&record.operation) && record.error.is_finite()
@@ -31,6 +42,10 @@ pub fn all(records: &[Record]) -> Vec<Chart> {
         named(title, &records, |record| position_name(record))
     };
     let is_back = |operation: &str| operation.ends_with("to geodetic latitude");
+    let latitude = |title: &str, operations: &dyn Fn(&str) -> bool| {
+        let records = of("position", "random", operations);
+        numbered(title, &records, Vec::new(), &latitudes, latitude_name)
+    };
     let projection = |title: &str, direction: &str, ground: &str| {
         let mut found = of("projection", "random", &|operation| operation.ends_with(direction));
         found.retain(|record| format!("{};", record.method).contains(&format!("; {ground};")));
@@ -41,12 +56,13 @@ pub fn all(records: &[Record]) -> Vec<Chart> {
                 && record.input == "random"
         });
         let guides = bytes.map(|record| (record.ns_min, format!("moves the bytes, {}", record.scalar)));
-        numbered(title, &found, guides.collect())
+        numbered(title, &found, guides.collect(), &projections, projection_name)
     };
     vec![
         Chart {
             file: "distances",
             title: "Geodesics on WGS84: time per point and largest error",
+            height: 480.0,
             panels: vec![
                 distance("Inverse: distance of random pairs", "random", ["inverse", "distance"]),
                 distance(
@@ -60,6 +76,7 @@ pub fn all(records: &[Record]) -> Vec<Chart> {
         Chart {
             file: "projections",
             title: "Cube projections: time per point and largest error",
+            height: 600.0,
             panels: vec![
                 projection("Forward, from unit vectors", "forward", "unit vectors"),
                 projection("Inverse, to unit vectors", "inverse", "unit vectors"),
@@ -74,6 +91,7 @@ pub fn all(records: &[Record]) -> Vec<Chart> {
         Chart {
             file: "positions",
             title: "Earth-centred coordinates, latitudes, directions: time per point and largest error",
+            height: 380.0,
             panels: vec![
                 position("Earth-centred coordinates to latitude, longitude and height", &|o| {
                     o == "ecef to geodetic"
@@ -81,10 +99,10 @@ pub fn all(records: &[Record]) -> Vec<Chart> {
                 position("Latitude, longitude and height to Earth-centred coordinates", &|o| {
                     o == "geodetic to ecef"
                 }),
-                position("Auxiliary latitudes of the geodetic one", &|o| {
+                latitude("Auxiliary latitudes of the geodetic one", &|o| {
                     o.ends_with("latitude") && !is_back(o)
                 }),
-                position("The geodetic latitude of auxiliary ones", &is_back),
+                latitude("The geodetic latitude of auxiliary ones", &is_back),
                 position("Latitude and longitude of the sphere, and unit vectors", &|o| {
                     o.contains("direction")
                 }),
@@ -165,14 +183,7 @@ fn distance_name(record: &Record) -> Option<String> {
 fn position_name(record: &Record) -> Option<String> {
     let library = library(record);
     let operation = record.operation.as_str();
-    Some(if operation.ends_with("latitude") {
-        let kind = operation.split(' ').next().unwrap_or_default();
-        if library == OURS {
-            kind.to_owned()
-        } else {
-            format!("{library} {kind}")
-        }
-    } else if operation.contains("direction") {
+    Some(if operation.contains("direction") {
         operation.to_owned()
     } else if library == OURS {
         OURS.to_owned()
@@ -184,37 +195,23 @@ fn position_name(record: &Record) -> Option<String> {
     })
 }
 
-/// A panel of numbers for terrella's projections and letters for its rivals', with a key.
-fn numbered(title: &str, records: &[&Record], guides: Vec<(f64, String)>) -> Panel {
-    let ours = Projection::ALL.iter().zip(1..);
-    let mut key: Vec<(String, String)> = ours
-        .map(|(projection, number)| {
-            let [name, _] = names(*projection);
-            let aside = if name == projection.name() {
-                String::new()
-            } else {
-                format!(" ({name})")
-            };
-            (number.to_string(), format!("{projection}{aside}"))
-        })
-        .collect();
+/// A panel of numbers for what terrella has and letters for what its rivals have, with a key that begins with terrella's names.
+fn numbered(
+    title: &str,
+    records: &[&Record],
+    guides: Vec<(f64, String)>,
+    ours: &[String],
+    name: impl Fn(&Record) -> Option<String>,
+) -> Panel {
+    let number = |(name, number): (&String, i32)| (number.to_string(), name.clone());
+    let mut key: Vec<(String, String)> = ours.iter().zip(1..).map(number).collect();
     let mut labelled = Vec::new();
     for &record in records {
-        let (projection, _) = record.operation.split_once(' ').unwrap_or_default();
-        let wanted = if record.library == OURS {
-            let (name, _) = record.method.split_once(';').unwrap_or_default();
-            Projection::ALL
-                .iter()
-                .position(|projection| projection.name() == name)
-                .map(|i| key[i].1.clone())
-        } else {
-            Some(format!("{}: {projection}", library(record)))
-        };
-        let Some(long) = wanted else { continue };
+        let Some(long) = name(record) else { continue };
         let short = match key.iter().find(|(_, name)| *name == long) {
             Some((short, _)) => short.clone(),
             None => {
-                let letter = char::from(b'a' + (key.len() - Projection::ALL.len()) as u8).to_string();
+                let letter = char::from(b'a' + (key.len() - ours.len()) as u8).to_string();
                 key.push((letter.clone(), long));
                 letter
             }
@@ -228,4 +225,30 @@ fn numbered(title: &str, records: &[&Record], guides: Vec<(f64, String)>) -> Pan
         guides,
         key,
     }
+}
+
+/// A projection's name in a key: its own and the truth's.
+fn projection_key(projection: Projection) -> String {
+    match names(projection) {
+        [name, _] if name == projection.name() => name.to_owned(),
+        [name, _] => format!("{projection} ({name})"),
+    }
+}
+
+fn projection_name(record: &Record) -> Option<String> {
+    let (projection, _) = record.operation.split_once(' ')?;
+    Some(match library(record) {
+        OURS => projection_key(record.method.split(';').next()?.parse().ok()?),
+        "S2" => format!("S2 (C++): {projection}"),
+        "s2" => format!("s2 (crate): {projection}"),
+        other => format!("{other}: {projection}"),
+    })
+}
+
+fn latitude_name(record: &Record) -> Option<String> {
+    let (kind, _) = record.operation.split_once(' ')?;
+    Some(match library(record) {
+        OURS => kind.to_owned(),
+        other => format!("{other}: {kind}"),
+    })
 }

@@ -76,7 +76,8 @@ fn run(options: &Options) -> Result<String, String> {
         eprintln!("no font on this machine: the PNG files are without text, the SVG files are whole");
     }
     for chart in charts::all(&records) {
-        let document = chart::draw(chart.title, &options.caption, &chart.panels).document(chart.title, &chart::DAY);
+        let document =
+            chart::draw(chart.title, &options.caption, &chart.panels, chart.height).document(chart.title, &chart::DAY);
         let png = raster::png(&document, &fonts)?;
         write(&out.join(format!("{}.svg", chart.file)), document.as_bytes())?;
         write(&out.join(format!("{}.png", chart.file)), &png)?;
