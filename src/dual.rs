@@ -247,13 +247,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
 
     #[inline(always)]
     fn polynomial<const A: usize, const B: usize>(self, coefficients: &Polynomial<A, B>) -> Self {
-        // Value and slope share one Horner's rule, which no slope of x enters.
-        let (mut sum, mut slope) = (T::ZERO, T::ZERO);
-        for i in (0..T::terms(A, B)).rev() {
-            slope = slope * self.value + sum;
-            sum = sum * self.value + T::coefficient(coefficients, i);
+        let mut slope = T::ZERO;
+        for i in (1..T::terms(A, B)).rev() {
+            slope = slope * self.value + T::coefficient(coefficients, i) * T::whole(i as u64);
         }
-        self.chain(sum, slope)
+        self.chain(self.value.polynomial(coefficients), slope)
     }
 
     #[inline(always)]

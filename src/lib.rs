@@ -21,6 +21,7 @@
 //! | [`cube`] | faces, points on them, sixteen projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
 //! | [`geodesic`] | distances, azimuths, destinations and areas: eight methods behind one trait |
 //! | [`distortion`] | what a projection does to shapes, areas and texels; surveys of whole faces |
+//! | [`batch`] | the same functions over slices, as wide as the machine is |
 //! | [`math`] | the kernels under all of it |
 //! | [`Real`], [`Dual`] | the scalar, and the scalar that carries derivatives |
 //!
@@ -36,7 +37,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Features: `std` (default) takes the hardware's square root, with the same results; `glam`, `defmt` and `serde` add conversions and derived
+//! Features: `std` (default) takes the hardware's square root and its widest instructions, with the same results; `glam`, `defmt` and `serde` add conversions and derived
 //! implementations. The README has the table of worst errors.
 
 #![cfg_attr(not(feature = "std"), no_std)]

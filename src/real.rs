@@ -73,11 +73,12 @@ pub trait Real:
     #[must_use]
     fn pick(for_f64: f64, for_f32: f32) -> Self;
 
-    /// The polynomial `c₀ + c₁x + c₂x² + …`, with the coefficients of this precision, by Horner's rule.
+    /// The polynomial `c₀ + c₁x + c₂x² + …`, with the coefficients of this precision, by Horner's rule; of more
+    /// than 12 terms in x³ for every third one: three short chains in place of a long one, for which a processor would wait.
     #[must_use]
     fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self;
 
-    /// The same polynomial of the complex number x + iy, of at most 40 terms: real and imaginary part.
+    /// The same polynomial of the complex number x + iy, of at most 42 terms: real and imaginary part.
     #[must_use]
     #[inline(always)]
     fn complex_polynomial<const N: usize, const M: usize>(
@@ -200,11 +201,33 @@ macro_rules! real {
 
             #[inline(always)]
             fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self {
-                let mut sum = 0.0;
-                for &c in coefficients.$table.iter().rev() {
-                    sum = sum * self + c;
+                let table = &coefficients.$table;
+                if table.len() <= 12 {
+                    let mut terms = table.iter().rev();
+                    let mut sum = terms.next().copied().unwrap_or(0.0);
+                    for &c in terms {
+                        sum = sum * self + c;
+                    }
+                    return sum;
                 }
-                sum
+                let square = self * self;
+                let (groups, rest) = table.as_chunks::<3>();
+                let cube = square * self;
+                let mut sums = [0.0; 3];
+                for (sum, &c) in sums.iter_mut().zip(rest) {
+                    *sum = c;
+                }
+                let mut groups = groups.iter().rev();
+                if rest.is_empty() {
+                    sums = groups.next().copied().unwrap_or(sums);
+                }
+                for group in groups {
+                    for (sum, c) in sums.iter_mut().zip(group) {
+                        *sum = *sum * cube + c;
+                    }
+                }
+                let [a, b, c] = sums;
+                (a + self * b) + square * c
             }
 
             #[inline(always)]

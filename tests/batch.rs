@@ -369,7 +369,7 @@ fn every_latitude<T: Scalar>() {
             };
             compare(
                 &format!("{from} to {to} in degrees"),
-                &[values.clone()],
+                &[values.to_vec()],
                 |[value]| [conversion.degrees(value).unwrap()],
                 |[from], [to]| batch::latitude::degrees(&conversion, from, to).unwrap(),
             );
@@ -380,7 +380,7 @@ fn every_latitude<T: Scalar>() {
             };
             compare(
                 &format!("{from} to {to} in radians"),
-                &[values.clone()],
+                &[values.to_vec()],
                 |[value]| [conversion.radians(value).unwrap()],
                 |[from], [to]| batch::latitude::radians(&conversion, from, to).unwrap(),
             );

@@ -131,13 +131,14 @@ impl Face {
     #[must_use]
     #[inline(always)]
     pub fn to_local<T: Real>(self, [x, y, z]: [T; 3]) -> [T; 3] {
-        let signed = |v: T| select(self.is_negative(), -v, v);
+        // As a factor it needs no branch.
+        let sign = select(self.is_negative(), -T::ONE, T::ONE);
         let sideways = self.is_sideways();
         let polar = self.is_polar();
         [
-            select(polar, y, signed(select(sideways, -x, y))),
-            select(polar, signed(-x), z),
-            signed(select(polar, z, select(sideways, y, x))),
+            select(polar, y, sign * select(sideways, -x, y)),
+            select(polar, sign * -x, z),
+            sign * select(polar, z, select(sideways, y, x)),
         ]
     }
 

@@ -2,7 +2,8 @@
 //!
 //! Every geodesic is a great circle on Bessel's auxiliary sphere, between the parametric latitudes; what is unknown there is the difference
 //! of longitudes, ω = λ + f sin α₀ I₃. Newton's method finds it in a fixed number of steps, the first of them with short series. The last
-//! needs no evaluation after it: distance and azimuths follow from their derivatives by ω.
+//! needs no evaluation after it: distance and azimuths follow from their derivatives by ω. Nearly antipodal places, out of line, begin with the
+//! root of the flat triangle.
 //!
 //! Symbols and series as in C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013). The middle of the arc, σₘ, counts from
 //! the node; sums over sines run as Σ 2cₗ cos 2lσₘ sin lσ, so that nothing cancels between neighbours.
@@ -244,13 +245,18 @@ impl<T: Real> Ordinary<T> {
         };
         let mut arc = ends.arc(if FAR { ends.half(grown) } else { pair.half });
         let mut sigma = arc.rough_sigma::<FAR>();
-        for _ in 0..T::terms(2, 1) {
+        // Near the antipode until it settles: the next error, as a part of sin σ, is less than the square of the last step.
+        let steps = if FAR { 8 } else { T::terms(2, 1) };
+        for _ in 0..steps {
             let (shift, slope) = self.rough_shift(&arc, sigma);
             let step = ((rest - grown) + side * shift) / slope;
             let turn = side * step;
             sigma += turn * (arc.sin_alpha + T::of(0.5) * arc.bend * turn);
             grown += step;
             arc = ends.arc(ends.half(grown));
+            if FAR && step.abs() <= arc.sin_sigma * T::pick(5e-5, 2e-3) {
+                break;
+            }
         }
         let factor = series(arc.square, &self.epsilon, T::terms(7, 3));
         let epsilon = arc.square * factor;
@@ -260,7 +266,7 @@ impl<T: Real> Ordinary<T> {
         let slope = T::ONE / self.slope(&arc, a3 * sigma + bend, sigma);
         let (eighths, small) = octant(arc.sin_sigma, arc.cos_sigma);
         // π/4 in two parts, the first so short that four times it is exact.
-        let high = eighths * T::pick(core::f64::consts::FRAC_PI_4, 0.785_398);
+        let high = eighths * T::pick(core::f64::consts::FRAC_PI_4, 1_647_099.0 / 2_097_152.0);
         let low = eighths * T::pick(3.061_616_997_868_383e-17, 1.569_582_4e-7) + small;
         let sigma = high + low;
         let rate = side * (self.f * arc.sin_alpha);
@@ -412,7 +418,7 @@ fn side<T: Real, const FAR: bool>() -> T {
 }
 
 impl<T: Real> Pair<T> {
-    /// Whether the places are so nearly antipodal, 172° apart or more, that ω turns the line faster than λ tells it.
+    /// Whether the places are so nearly antipodal, 170° apart or more, that ω turns the line faster than λ tells it.
     #[inline(always)]
     fn nearly_antipodal(&self) -> bool {
         let (sin_half, _) = self.half;

@@ -27,7 +27,10 @@ use crate::{Ellipsoid, LatLon, Real};
 ///
 /// These hold at every latitude. A longer line, of several circuits, adds 2e-16 (1e-7) of its length and as much of the series' error as it is longer.
 ///
-/// Three or four evaluations are usual, and 40 allowed: next to where the shortest line turns from east to north, more than 20 are needed. An inverse is never wrong: what does not close is
+/// On ellipsoids with |f| ≤ 1/149 places take the same straight lines of arithmetic as with [`Karney`](super::Karney), where there is one: between all but the hardest of the nearly antipodal places,
+/// and for all but very many circuits. The rest, and other ellipsoids, take Newton's steps until they settle.
+///
+/// Three or four evaluations are usual then, and 40 allowed: next to where the shortest line turns from east to north, more than 20 are needed. An inverse is never wrong: what does not close is
 /// [`GeodesicError::NotConverged`]. No pair of places is known for which that happens, in `f64` or in `f32`; 10⁷ of the hardest were tried.
 ///
 /// Coincident places: distance 0, azimuths 0. At a pole an azimuth counts from the meridian of the given longitude. Of several
@@ -128,7 +131,8 @@ impl<T: Real> Vincenty<T> {
         }
     }
 
-    /// How often the inverse evaluates the longitude between two places, or none if it does not converge: what it costs near the antipode.
+    /// How often Newton's steps, if they are taken, evaluate the longitude between two places, or none if they do not converge: what they
+    /// cost near the antipode.
     #[must_use]
     pub fn evaluations(&self, from: LatLon<T>, to: LatLon<T>) -> Option<usize> {
         let (_, _, evaluations) = self.solve(&Ends::new(self.axes, from, to))?;

@@ -68,6 +68,12 @@ pub(crate) fn choose<T: Real>(condition: bool, then: T, otherwise: T) -> T {
     either(condition, then) + either(!condition, otherwise)
 }
 
+/// Two finite numbers, exchanged or not.
+#[inline(always)]
+pub(crate) fn exchange<T: Real>(condition: bool, [a, b]: [T; 2]) -> [T; 2] {
+    [choose(condition, b, a), choose(condition, a, b)]
+}
+
 /// The smaller of two numbers.
 #[inline(always)]
 pub(crate) fn min<T: Real>(a: T, b: T) -> T {

@@ -1,6 +1,6 @@
 use super::{CubeProjection, Face};
 use crate::Real;
-use crate::math::{QUAD_M, QUAD_T, odd_unit, select};
+use crate::math::{QUAD_M, QUAD_T, exchange, max, min, odd_unit, select};
 
 /// The quadrilateralized cube, QSC: equal-area, with creases along the diagonals.
 ///
@@ -17,9 +17,8 @@ pub struct Quadrilateralized;
 impl CubeProjection for Quadrilateralized {
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
-        let steep = up.abs() > right.abs();
-        let major = select(steep, up, right);
-        let minor = select(steep, right, up);
+        // Of equals the first is the larger one, as in the exchange below: a derivative tells them apart.
+        let (major, minor) = (max(up.abs(), right.abs()), min(right.abs(), up.abs()));
         let t = minor / select(major == T::ZERO, T::ONE, major);
         let u = major / outward;
         let tt = T::ONE + t * t;
@@ -30,14 +29,13 @@ impl CubeProjection for Quadrilateralized {
         let excess = tt * (T::ONE - u * u) * (sum + T::ONE) / (sum * rho * (rho + T::ONE));
         let long = u * (T::ONE + excess).sqrt();
         let short = long * odd_unit(t, &QUAD_M);
-        select(steep, [short, long], [long, short])
+        let [x, y] = exchange(up.abs() > right.abs(), [long, short]);
+        [x.copysign(right), y.copysign(up)]
     }
 
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
-        let steep = y.abs() > x.abs();
-        let long = select(steep, y, x);
-        let short = select(steep, x, y);
+        let (long, short) = (max(y.abs(), x.abs()), min(x.abs(), y.abs()));
         let t = odd_unit(short / select(long == T::ZERO, T::ONE, long), &QUAD_T);
         // s is the outward component on the edge; w leaves 0 there, so that outward and major agree to the last bit.
         let s = T::ONE / (T::of(2.0) + t * t).sqrt();
@@ -45,7 +43,7 @@ impl CubeProjection for Quadrilateralized {
         let outward = s + w;
         let major = long * s * (T::ONE + w / (T::ONE + s)).sqrt();
         let minor = t * major;
-        let [right, up] = select(steep, [minor, major], [major, minor]);
-        [right, up, outward]
+        let [right, up] = exchange(y.abs() > x.abs(), [major, minor]);
+        [right.copysign(x), up.copysign(y), outward]
     }
 }

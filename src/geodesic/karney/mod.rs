@@ -29,7 +29,11 @@ pub use polygon::PolygonArea;
 /// 1.5 nm, and the direct problem's position within 10 nm for a line once around; in `f32` within 3 m and 1.5e-7 of the distance, and between neighbours within
 /// 1e-6 of the distance. For f = 1/10 and −1/150 within 12 nm.
 ///
-/// Series in the third flattening to order 6 on the Earth's ellipsoids and up to 12 beyond them; shorter ones in `f32`. Newton's
+/// Both problems of [`Geodesic`] are straight lines of arithmetic where |f| ≤ 1/149: Newton's method for the longitude on the auxiliary sphere,
+/// three evaluations; a few more between places 170° or more apart. What they leave (the hardest of these, coincident places, azimuths beyond ±360°, very many circuits), other ellipsoids, [`Karney::solve`] and
+/// [`Line`] take the general way. The two agree to rounding, not to the bit.
+///
+/// The general way: series in the third flattening to order 6 on the Earth's ellipsoids and up to 12 beyond them; shorter ones in `f32`; Newton's
 /// method with a bracket, at most 83 steps (`f64`), in practice 2 to 5.
 ///
 /// C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013).
