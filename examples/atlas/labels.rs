@@ -62,17 +62,22 @@ pub fn place<'a>(points: &[([f64; 2], &'a str)], frame: Area, taken: &[Area]) ->
             )
             .map(|(distance, direction)| beside(point, text, distance, direction))
             .collect();
-        let is_free = |&(area, leader): &(Area, Option<[f64; 2]>)| {
+        let is_readable = |&(area, leader): &(Area, Option<[f64; 2]>)| {
             let inside = area[0] > frame[0] && area[1] > frame[1] && area[2] < frame[2] && area[3] < frame[3];
-            let line = leader.map(|end| along(point, end)).unwrap_or_default();
-            let is_clear = |&other: &Area| !overlap(area, other) && line.iter().all(|&part| !overlap(part, other));
             let is_far = |&(other, _): &([f64; 2], &str)| {
                 leader.is_some() || other == point || !overlap(area, around(other, VICINITY))
             };
-            inside && taken.iter().all(is_clear) && points.iter().all(is_far)
+            inside && taken.iter().all(|&other| !overlap(area, other)) && points.iter().all(is_far)
         };
-        // Where there is no room at all, names overlap.
-        let Some(&(area, leader)) = places.iter().find(|&place| is_free(place)).or(places.first()) else {
+        let is_free = |place: &(Area, Option<[f64; 2]>)| {
+            let line = place.1.map(|end| along(point, end)).unwrap_or_default();
+            let crosses = |&part: &Area| taken.iter().any(|&other| overlap(part, other));
+            is_readable(place) && !line.iter().any(crosses)
+        };
+        // Where there is no room, a line crosses others; where there is none at all, names overlap.
+        let mut best = places.iter().find(|&place| is_free(place));
+        best = best.or_else(|| places.iter().find(|&place| is_readable(place)));
+        let Some(&(area, leader)) = best.or(places.first()) else {
             continue;
         };
         taken.push(area);

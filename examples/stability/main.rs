@@ -83,7 +83,7 @@ fn pictures(options: &Options) -> Result<String, String> {
 
 /// Writes a picture as SVG and as PNG.
 fn save(picture: &Picture, svg: &Svg, out: &Path, fonts: &Fonts) -> Result<(), String> {
-    let document = svg.document(picture.title);
+    let document = svg.document(picture.title, &svg::NIGHT);
     let [svg_file, png_file] = ["svg", "png"].map(|kind| out.join(format!("{}.{kind}", picture.file)));
     fs::write(&svg_file, &document).map_err(|error| cannot("write", &svg_file, &error))?;
     let png = raster::png(&document, fonts).map_err(|error| format!("cannot draw {}: {error}", png_file.display()))?;

@@ -7,7 +7,16 @@ use base64::engine::general_purpose::STANDARD;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder as _, RgbImage};
 
-const STYLE: &str = "\
+/// How a document looks.
+pub struct Theme {
+    /// Rules of CSS.
+    pub style: &'static str,
+    pub background: &'static str,
+}
+
+/// Light on dark.
+pub const NIGHT: Theme = Theme {
+    style: "\
 text{font-family:'Liberation Sans','DejaVu Sans',Arial,sans-serif;font-size:15px;fill:#d5dae3}\
 .small{font-size:13px;fill:#8d97a7}\
 .title{font-size:17px}\
@@ -16,7 +25,9 @@ text{font-family:'Liberation Sans','DejaVu Sans',Arial,sans-serif;font-size:15px
 .frame{fill:none;stroke:#3a4556;stroke-width:1}\
 .line{fill:none;stroke-width:2;stroke-linejoin:round;stroke-linecap:round}\
 .dashed{stroke-dasharray:6 4;stroke-width:1.6}\
-.lead{fill:none;stroke-width:1;stroke-opacity:0.45}";
+.lead{fill:none;stroke-width:1;stroke-opacity:0.45}",
+    background: "#0d1118",
+};
 
 /// A picture.
 pub struct Svg {
@@ -35,17 +46,19 @@ impl Svg {
     }
 
     /// The document, with a title for those who cannot see it.
-    pub fn document(&self, title: &str) -> String {
+    pub fn document(&self, title: &str, theme: &Theme) -> String {
         let Self { width, height, body } = self;
+        let Theme { style, background } = theme;
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
-             role=\"img\">\n<title>{}</title>\n<style>{STYLE}</style>\n\
-             <rect width=\"{width}\" height=\"{height}\" fill=\"#0d1118\"/>\n{body}</svg>\n",
+             role=\"img\">\n<title>{}</title>\n<style>{style}</style>\n\
+             <rect width=\"{width}\" height=\"{height}\" fill=\"{background}\"/>\n{body}</svg>\n",
             escaped(title)
         )
     }
 
-    fn add(&mut self, element: std::fmt::Arguments<'_>) {
+    /// Any element.
+    pub fn add(&mut self, element: std::fmt::Arguments<'_>) {
         // Writing to a string does not fail.
         let _ = self.body.write_fmt(element);
         self.body.push('\n');

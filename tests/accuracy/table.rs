@@ -61,23 +61,34 @@ const PROJECTIONS: &[(Projection, [f64; 2], [f64; 2])] = &[
     (Projection::Separable,         [3.0e-16, 1.6e-7], [2.6e-16, 1.4e-7]),
 ];
 
-/// Asserts that a measured pair of errors keeps the claim of this name.
-pub fn hold(what: &str, measured: [f64; 2]) {
-    let (_, unit, claimed) = FUNCTIONS
+/// The largest errors that are claimed under this name.
+pub fn claim(what: &str) -> [f64; 2] {
+    let (.., claimed) = FUNCTIONS
         .iter()
         .find(|(name, ..)| *name == what)
         .unwrap_or_else(|| panic!("no claim about {what}"));
-    compare(&format!("{what}, {unit}"), measured, *claimed);
+    *claimed
+}
+
+/// The largest errors that are claimed of a projection, forward and inverse.
+pub fn claims_of(projection: Projection) -> ([f64; 2], [f64; 2]) {
+    let (_, forward, inverse) = PROJECTIONS
+        .iter()
+        .find(|(name, ..)| *name == projection)
+        .unwrap_or_else(|| panic!("no claim about {projection}"));
+    (*forward, *inverse)
+}
+
+/// Asserts that a measured pair of errors keeps the claim of this name.
+pub fn hold(what: &str, measured: [f64; 2]) {
+    compare(what, measured, claim(what));
 }
 
 /// Asserts that the measured errors of a projection, forward and inverse, keep its claim.
 pub fn hold_projection(projection: Projection, forward: [f64; 2], inverse: [f64; 2]) {
-    let (_, forward_claim, inverse_claim) = PROJECTIONS
-        .iter()
-        .find(|(name, ..)| *name == projection)
-        .unwrap_or_else(|| panic!("no claim about {projection}"));
-    compare(&format!("{projection} forward"), forward, *forward_claim);
-    compare(&format!("{projection} inverse"), inverse, *inverse_claim);
+    let (forward_claim, inverse_claim) = claims_of(projection);
+    compare(&format!("{projection} forward"), forward, forward_claim);
+    compare(&format!("{projection} inverse"), inverse, inverse_claim);
 }
 
 fn compare(what: &str, measured: [f64; 2], claimed: [f64; 2]) {
