@@ -40,8 +40,11 @@ pub struct Task<T> {
     /// The inputs of the truth.
     pub truth: Set<T>,
     /// The error in metres of a row, given all results.
-    pub error: Box<dyn Fn(usize, &Set<T>) -> f64>,
+    pub error: Error<T>,
 }
+
+/// The error in metres of a row, given all results.
+pub type Error<T> = Box<dyn Fn(usize, &Set<T>) -> f64>;
 
 /// How much to measure, and what was measured.
 pub struct Bench {
