@@ -29,6 +29,9 @@ impl Mode {
     }
 }
 
+/// The error in metres of a row, given all results.
+pub type Error<T> = Box<dyn Fn(usize, &Set<T>) -> f64>;
+
 /// What is computed, on which points, and what it should give.
 pub struct Task<T> {
     /// The chart.
@@ -39,8 +42,8 @@ pub struct Task<T> {
     pub inputs: Vec<(&'static str, Rc<Set<T>>)>,
     /// The inputs of the truth.
     pub truth: Set<T>,
-    /// The error in metres of a row, given all results.
-    pub error: Box<dyn Fn(usize, &Set<T>) -> f64>,
+    /// What the truth says of the results.
+    pub error: Error<T>,
 }
 
 /// How much to measure, and what was measured.

@@ -35,11 +35,11 @@ pub fn all(records: &[Record]) -> Vec<Chart> {
     };
     let distance = |title: &str, input: &str, operations: [&str; 2]| {
         let records = of("distance", input, &|operation| operations.contains(&operation));
-        named(title, &records, |record| distance_name(record))
+        named(title, &records, distance_name)
     };
     let position = |title: &str, operations: &dyn Fn(&str) -> bool| {
         let records = of("position", "random", operations);
-        named(title, &records, |record| position_name(record))
+        named(title, &records, position_name)
     };
     let is_back = |operation: &str| operation.ends_with("to geodetic latitude");
     let latitude = |title: &str, operations: &dyn Fn(&str) -> bool| {
@@ -149,8 +149,8 @@ fn fastest(labelled: Vec<(&Record, String)>) -> Vec<(&Record, String)> {
     for (record, label) in labelled {
         let same = |(other, name): &&mut (&Record, String)| {
             *name == label
-                && (&other.scalar, &other.mode, &other.library == OURS)
-                    == (&record.scalar, &record.mode, &record.library == OURS)
+                && (&other.scalar, &other.mode, other.library == OURS)
+                    == (&record.scalar, &record.mode, record.library == OURS)
         };
         match kept.iter_mut().find(same) {
             Some((other, _)) if record.ns_min < other.ns_min => *other = record,
