@@ -29,6 +29,9 @@ impl Mode {
     }
 }
 
+/// The error in metres of a row, given all results.
+pub type Error<T> = Box<dyn Fn(usize, &Set<T>) -> f64>;
+
 /// What is computed, on which points, and what it should give.
 pub struct Task<T> {
     /// The chart.
@@ -39,12 +42,9 @@ pub struct Task<T> {
     pub inputs: Vec<(&'static str, Rc<Set<T>>)>,
     /// The inputs of the truth.
     pub truth: Set<T>,
-    /// The error in metres of a row, given all results.
+    /// What the truth says of the results.
     pub error: Error<T>,
 }
-
-/// The error in metres of a row, given all results.
-pub type Error<T> = Box<dyn Fn(usize, &Set<T>) -> f64>;
 
 /// How much to measure, and what was measured.
 pub struct Bench {

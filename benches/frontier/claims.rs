@@ -63,7 +63,7 @@ pub fn broken(records: &[Record]) -> Vec<String> {
     let complaint = |record: &Record| {
         let of = record.key().join(" ");
         match claim(record) {
-            Some(claim) if record.error > claim || record.error.is_nan() => Some(format!(
+            Some(claim) if record.error.is_nan() || record.error > claim => Some(format!(
                 "{of}: an error of {:e} m is over the claimed {claim:e} m",
                 record.error
             )),

@@ -6,7 +6,7 @@ use terrella::batch;
 use terrella::latitude::Conversion;
 use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, Latitude};
 
-use crate::bench::{Bench, Mode, Task};
+use crate::bench::{Bench, Error, Mode, Task};
 use crate::distance::{displacement, inputs};
 use crate::points::{Order, WGS84_A, directions, lat_lons, positions};
 use crate::record::METRES_PER_RADIAN;
@@ -15,8 +15,6 @@ use crate::truth::{Row, Scalar, rows};
 
 /// Heights of less are of no use to anybody, and most libraries do not claim them.
 const DEEPEST: f64 = -10_000.0;
-
-type Error<T> = Box<dyn Fn(usize, &Set<T>) -> f64>;
 
 fn task<T: Scalar>(
     operation: &str,
