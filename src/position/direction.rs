@@ -28,8 +28,17 @@ impl<T: Real> Direction<T> {
     ///
     /// # Errors
     /// [`InvalidDirection`] if the vector is zero or a component is infinite or NaN.
-    #[inline]
+    #[inline(always)]
     pub fn new(x: T, y: T, z: T) -> Result<Self, InvalidDirection<T>> {
+        if Self::is_unit(x, y, z) {
+            return Ok(Self { x, y, z });
+        }
+        Self::of_any_length(x, y, z)
+    }
+
+    /// Out of line, so that nothing of it is merged with what a caller does with the components.
+    #[inline(never)]
+    fn of_any_length(x: T, y: T, z: T) -> Result<Self, InvalidDirection<T>> {
         let largest = max(max(x.abs(), y.abs()), z.abs());
         if !(x.is_finite() && y.is_finite() && z.is_finite()) || largest == T::ZERO {
             return Err(InvalidDirection { x, y, z });
