@@ -92,11 +92,16 @@ impl<T: Real> Conversion<T> {
         } else {
             value
         };
-        let geodetic = corrected::<T, A>(start, &self.to_geodetic);
+        // No sine for a correction that is none.
+        let corrected = |value: T, correction: &Correction<T>| match correction {
+            Correction::None => value,
+            _ => corrected::<T, A>(value, correction),
+        };
+        let geodetic = corrected(start, &self.to_geodetic);
         Ok(if self.to == Latitude::Isometric {
             isometric::<T, A>(geodetic, &self.from_geodetic)
         } else {
-            corrected::<T, A>(geodetic, &self.from_geodetic)
+            corrected(geodetic, &self.from_geodetic)
         })
     }
 

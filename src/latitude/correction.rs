@@ -1,5 +1,5 @@
 use super::{Shift, UnsupportedFlattening};
-use crate::math::{atan2, latitude as series, sin_cos_small};
+use crate::math::{Polynomial, atan2, latitude as series, sin_cos_small};
 use crate::{Dual, Ellipsoid, Real};
 
 /// The small angle between two latitudes, as a function of the first.
@@ -12,7 +12,9 @@ pub(crate) enum Correction<T> {
     /// Zero.
     None,
     /// The latitudes whose tangents have a fixed ratio.
-    Tangent(Tangent<T>),
+    Tangent(Tangent<T, false>),
+    /// The same, the ratio being nearly 1.
+    Near(Tangent<T, true>),
     /// A series for the Earth's ellipsoids.
     Short(Series<T, true>),
     /// A series for any ellipsoid.
@@ -28,6 +30,7 @@ macro_rules! with_correction {
                 $result
             }
             $crate::latitude::Correction::Tangent($turn) => $result,
+            $crate::latitude::Correction::Near($turn) => $result,
             $crate::latitude::Correction::Short($turn) => $result,
             $crate::latitude::Correction::Long($turn) => $result,
         }
@@ -75,12 +78,25 @@ impl<T: Real> Turn<T> for Unturned {
 /// −atan(m sin 2x/(1 + m cos 2x)): the latitudes whose tangents have the ratio (1 − m)/(1 + m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct Tangent<T>(T);
+pub(crate) struct Tangent<T, const NEAR: bool>(T);
 
-impl<T: Real> Turn<T> for Tangent<T> {
+/// atan t = t + t³p(t²) for |t| ≤ 0.0201: the next term is 1e-18 of t (`f64`), 1e-11 (`f32`).
+const SMALL_ATAN: Polynomial<4, 2> = Polynomial {
+    f64: [-1.0 / 3.0, 1.0 / 5.0, -1.0 / 7.0, 1.0 / 9.0],
+    f32: [-1.0 / 3.0, 1.0 / 5.0],
+};
+
+impl<T: Real, const NEAR: bool> Turn<T> for Tangent<T, NEAR> {
     #[inline(always)]
     fn angle(&self, (sin2, cos2): (T, T)) -> T {
-        atan2(-(self.0 * sin2), T::ONE + self.0 * cos2)
+        let (sine, cosine) = (-(self.0 * sin2), T::ONE + self.0 * cos2);
+        if NEAR {
+            let t = sine / cosine;
+            let square = t * t;
+            t + t * (square * square.polynomial(&SMALL_ATAN))
+        } else {
+            atan2(sine, cosine)
+        }
     }
 
     #[inline(always)]
@@ -145,6 +161,7 @@ impl<T: Real> Correction<T> {
         match *self {
             Self::None => Correction::None,
             Self::Tangent(Tangent(m)) => Correction::Tangent(Tangent(Dual::constant(m))),
+            Self::Near(Tangent(m)) => Correction::Near(Tangent(Dual::constant(m))),
             Self::Short(Series(coefficients)) => Correction::Short(Series(coefficients.map(Dual::constant))),
             Self::Long(Series(coefficients)) => Correction::Long(Series(coefficients.map(Dual::constant))),
         }
@@ -175,7 +192,11 @@ fn tangent<T: Real>(ellipsoid: Ellipsoid<T>, m: T) -> Result<Correction<T>, Unsu
     if f < -T::ONE || f > T::of(0.5) {
         return Err(UnsupportedFlattening(f));
     }
-    Ok(Correction::Tangent(Tangent(m)))
+    Ok(if m.abs() <= T::of(0.02) {
+        Correction::Near(Tangent(m))
+    } else {
+        Correction::Tangent(Tangent(m))
+    })
 }
 
 /// The coefficients cₖ = nᵏpₖ(n).
