@@ -13,6 +13,9 @@ const B02: f64 = -0.144_667_241_461_084_73;
 const Z20: f64 = -0.047_355_554_762_899_11;
 const Z21: f64 = 0.125_761_176_467_546_37;
 
+/// Coefficients of 1 − u² and 1 − v² in a first guess at x/u, fitted for the least largest error.
+const START: [f64; 5] = [0.131_059, -0.025_651, -0.302_118, 0.126_894, 0.268_585];
+
 /// A, A with x and y exchanged, and Z, at p = 1 − x², q = 1 − y².
 #[inline(always)]
 fn factors<T: Real>([xx, yy]: [T; 2], [p, q]: [T; 2]) -> [T; 3] {
@@ -31,10 +34,12 @@ impl CubeProjection for Square {
         let (u, v) = (right / outward, up / outward);
         let (b02, z20, z21) = (T::of(B02), T::of(Z20), T::of(Z21));
         let (two, four) = (T::of(2.0), T::of(4.0));
-        let bulge = |w: T, p: T, q: T| w * (T::ONE + T::of(0.15) * p * q);
         let (pu, pv) = (T::ONE - u * u, T::ONE - v * v);
-        let (mut x, mut y) = (bulge(u, pu, pv), bulge(v, pv, pu));
-        repeat!(T::steps(4, 3), {
+        // Within 2.1e-3; the error after one, two, three steps of Newton's method is at most 2e-6, 2e-12, 4e-16.
+        let [c00, c10, c01, c11, c02] = START.map(T::of);
+        let start = |w: T, p: T, q: T| w * (T::ONE + p * (c00 + c10 * p + q * (c01 + c11 * p + c02 * q)));
+        let (mut x, mut y) = (start(u, pu, pv), start(v, pv, pu));
+        repeat!(T::steps(3, 2), {
             let (xx, yy) = (x * x, y * y);
             let (p, q) = (T::ONE - xx, T::ONE - yy);
             let [a, b, z] = factors([xx, yy], [p, q]);
