@@ -236,6 +236,16 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[inline(always)]
+    fn from_byte(byte: u8) -> Self {
+        Self::constant(T::from_byte(byte))
+    }
+
+    #[inline(always)]
+    fn to_byte(self) -> u8 {
+        self.value.to_byte()
+    }
+
+    #[inline(always)]
     fn whole(number: u64) -> Self {
         Self::constant(T::whole(number))
     }

@@ -69,6 +69,14 @@ pub trait Real:
     #[must_use]
     fn whole(number: u64) -> Self;
 
+    /// The scalar equal to a byte, by setting bits, which vectorises on every machine.
+    #[must_use]
+    fn from_byte(byte: u8) -> Self;
+
+    /// The byte equal to a whole number in 0 to 255: the inverse of [`from_byte`](Self::from_byte).
+    #[must_use]
+    fn to_byte(self) -> u8;
+
     /// One of two constants, by precision.
     #[must_use]
     fn pick(for_f64: f64, for_f32: f32) -> Self;
@@ -166,7 +174,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($float:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path, $log1p:path, $expm1:path, $log2:path) => {
+    ($float:ident, $bits:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path, $log1p:path, $expm1:path, $log2:path) => {
         impl Real for $float {
             type Plain = Self;
 
@@ -195,6 +203,16 @@ macro_rules! real {
             }
 
             #[inline(always)]
+            fn from_byte(byte: u8) -> Self {
+                $float::from_bits(<$float>::to_bits($magic) | $bits::from(byte)) - $magic
+            }
+
+            #[inline(always)]
+            fn to_byte(self) -> u8 {
+                (self + $magic).to_bits() as u8
+            }
+
+            #[inline(always)]
             fn pick(_for_f64: f64, _for_f32: f32) -> Self {
                 real!(@pick $float, _for_f64, _for_f32)
             }
@@ -202,7 +220,7 @@ macro_rules! real {
             #[inline(always)]
             fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self {
                 let table = &coefficients.$table;
-                if table.len() <= 12 {
+                if table.len() <= 8 {
                     let mut terms = table.iter().rev();
                     let mut sum = terms.next().copied().unwrap_or(0.0);
                     for &c in terms {
@@ -213,13 +231,11 @@ macro_rules! real {
                 let square = self * self;
                 let (groups, rest) = table.as_chunks::<3>();
                 let cube = square * self;
-                let mut sums = [0.0; 3];
-                for (sum, &c) in sums.iter_mut().zip(rest) {
-                    *sum = c;
-                }
+                // Of the last terms there may be fewer than three: the other sums begin with the group before.
                 let mut groups = groups.iter().rev();
-                if rest.is_empty() {
-                    sums = groups.next().copied().unwrap_or(sums);
+                let mut sums = groups.next().copied().unwrap_or([0.0; 3]);
+                for (sum, &c) in sums.iter_mut().zip(rest) {
+                    *sum += c * cube;
                 }
                 for group in groups {
                     for (sum, c) in sums.iter_mut().zip(group) {
@@ -321,6 +337,7 @@ macro_rules! real {
 // The cube root's offsets are two thirds of the exponent bias, less what halves the worst error (Kahan; FreeBSD's cbrt).
 real!(
     f64,
+    u64,
     f64,
     6_755_399_441_055_744.0,
     0x2A9F_7893_0000_0000,
@@ -332,6 +349,7 @@ real!(
 );
 real!(
     f32,
+    u32,
     f32,
     12_582_912.0,
     0x2A51_2CE3,

@@ -36,7 +36,7 @@ impl<T: Real> Ellipsoid<T> {
         let (base, lost) = sum(self.a, position.height());
         let (along, along_lost) = sum(base, excess);
         let (axial, axial_lost) = sum(base, excess - e2 * (self.a + excess));
-        let (rho, rho_lost) = product(along, cos);
+        let (rho, rho_lost) = product_of_any(along, cos);
         let rho_lost = rho_lost + (along_lost + lost) * cos + along * cos_rest;
         Ecef::within(
             long_product((rho, rho_lost), (cos_lon, cos_lon_rest)),
@@ -138,8 +138,8 @@ impl<T: Real> Ellipsoid<T> {
     #[inline(always)]
     fn settle(self, (rho, rho_lost): (T, T), z: T, sin: T, cos: T) -> (T, T) {
         let lat = atan2_degrees(sin, cos);
-        let length = (sin * sin + cos * cos).sqrt();
-        let (s, c) = (sin / length, cos / length);
+        let inverse = T::ONE / (sin * sin + cos * cos).sqrt();
+        let (s, c) = (sin * inverse, cos * inverse);
         // (c, s) has the length 1 + d/2.
         let (cc, cc_lost) = product(c, c);
         let (ss, ss_lost) = product(s, s);
@@ -264,7 +264,7 @@ fn hypotenuse<T: Real>(x: T, y: T) -> (T, T) {
 /// The product of two numbers, each a sum of two.
 #[inline(always)]
 fn long_product<T: Real>((value, low): (T, T), (factor, rest): (T, T)) -> T {
-    let (high, rounding) = product(value, factor);
+    let (high, rounding) = product_of_any(value, factor);
     high + (rounding + (low * factor + value * rest))
 }
 
@@ -277,11 +277,17 @@ fn sum<T: Real>(a: T, b: T) -> (T, T) {
     (sum, lost)
 }
 
-/// a·b as a rounded product and what the rounding lost; nothing is kept where splitting overflows.
+/// a·b as a rounded product and what the rounding lost, for numbers far from the largest.
 #[inline(always)]
 fn product<T: Real>(a: T, b: T) -> (T, T) {
     let product = a * b;
     let ((ah, al), (bh, bl)) = (a.split(), b.split());
-    let lost = ((ah * bh - product) + (ah * bl + al * bh)) + al * bl;
+    (product, ((ah * bh - product) + (ah * bl + al * bh)) + al * bl)
+}
+
+/// The same for any numbers; nothing is kept where splitting overflows.
+#[inline(always)]
+fn product_of_any<T: Real>(a: T, b: T) -> (T, T) {
+    let (product, lost) = product(a, b);
     (product, select(lost.is_finite(), lost, T::ZERO))
 }

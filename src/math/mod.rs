@@ -25,7 +25,7 @@ pub(crate) use atan::octant;
 pub use atan::{atan, atan2, atan2_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::{Complex, complex_polynomial};
-pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
+pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_S, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::{halves, odd_unit};
 pub use sin_cos::{sin_cos, sin_cos_degrees};
@@ -66,12 +66,6 @@ pub(crate) fn either<T: Real>(condition: bool, then: T) -> T {
 #[inline(always)]
 pub(crate) fn choose<T: Real>(condition: bool, then: T, otherwise: T) -> T {
     either(condition, then) + either(!condition, otherwise)
-}
-
-/// Two finite numbers, exchanged or not.
-#[inline(always)]
-pub(crate) fn exchange<T: Real>(condition: bool, [a, b]: [T; 2]) -> [T; 2] {
-    [choose(condition, b, a), choose(condition, a, b)]
 }
 
 /// The smaller of two numbers.

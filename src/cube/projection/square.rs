@@ -51,9 +51,9 @@ impl CubeProjection for Square {
             let hx = four * x * y * (b02 * q * xx - z20 * p) - v * zx;
             let hy = b - two * b02 * yy * (xx * xx) - v * zy;
             let (g, h) = (x * a - u * z, y * b - v * z);
-            let determinant = gx * hy - gy * hx;
-            x -= (g * hy - h * gy) / determinant;
-            y -= (h * gx - g * hx) / determinant;
+            let inverse = T::ONE / (gx * hy - gy * hx);
+            x -= (g * hy - h * gy) * inverse;
+            y -= (h * gx - g * hx) * inverse;
         });
         [x, y]
     }
