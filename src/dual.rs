@@ -349,6 +349,16 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         Self::constant(self.value.cbrt_guess())
     }
 
+    #[inline(always)]
+    fn exponent(self) -> Self {
+        Self::constant(self.value.exponent())
+    }
+
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Self::constant(self.value.power_of_two())
+    }
+
     #[inline]
     fn remainder(self, divisor: Self) -> Self {
         let value = self.value.remainder(divisor.value);
@@ -357,21 +367,5 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
             value,
             slopes: self.slopes_with(divisor, |a, b| a - turns * b),
         }
-    }
-
-    #[inline]
-    fn ln_1p(self) -> Self {
-        self.chain(self.value.ln_1p(), T::ONE / (T::ONE + self.value))
-    }
-
-    #[inline]
-    fn exp_m1(self) -> Self {
-        let value = self.value.exp_m1();
-        self.chain(value, value + T::ONE)
-    }
-
-    #[inline]
-    fn log2(self) -> Self {
-        self.chain(self.value.log2(), T::of(core::f64::consts::LOG2_E) / self.value)
     }
 }

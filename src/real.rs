@@ -156,25 +156,21 @@ pub trait Real:
     #[must_use]
     fn cbrt_guess(self) -> Self;
 
+    /// The whole number k with √½ ≤ x/2ᵏ < √2, of a positive normal number x (from its bits).
+    #[must_use]
+    fn exponent(self) -> Self;
+
+    /// 2ⁿ of a whole number n, −1022 ≤ n ≤ 1023 (`f64`) or −126 ≤ n ≤ 127 (`f32`) (by its bits).
+    #[must_use]
+    fn power_of_two(self) -> Self;
+
     /// The remainder of `self / divisor` with the sign of `self`; exact.
     #[must_use]
     fn remainder(self, divisor: Self) -> Self;
-
-    /// ln(1 + x), within 1 ulp.
-    #[must_use]
-    fn ln_1p(self) -> Self;
-
-    /// eˣ − 1, within 1 ulp.
-    #[must_use]
-    fn exp_m1(self) -> Self;
-
-    /// The logarithm to base 2, within 1 ulp.
-    #[must_use]
-    fn log2(self) -> Self;
 }
 
 macro_rules! real {
-    ($float:ident, $bits:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path, $log1p:path, $expm1:path, $log2:path) => {
+    ($float:ident, $bits:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path) => {
         impl Real for $float {
             type Plain = Self;
 
@@ -309,24 +305,25 @@ macro_rules! real {
                 $float::from_bits(self.to_bits() / 3 + $cbrt)
             }
 
+            #[inline(always)]
+            fn exponent(self) -> Self {
+                // The bits of √½ to those of 1, and the exponent to where 2⁵² (2²³) has its units.
+                const ROOT: $float = core::$float::consts::FRAC_1_SQRT_2;
+                const UNITS: $float = 1.0 / $float::EPSILON;
+                const BITS: u32 = $float::MANTISSA_DIGITS - 1;
+                let exponent = self.to_bits().wrapping_add((1.0 as $float).to_bits() - ROOT.to_bits()) >> BITS;
+                $float::from_bits(UNITS.to_bits() | exponent) - (UNITS + ($float::MAX_EXP - 1) as $float)
+            }
+
+            #[inline(always)]
+            fn power_of_two(self) -> Self {
+                const BITS: u32 = $float::MANTISSA_DIGITS - 1;
+                $float::from_bits((self + ($magic + ($float::MAX_EXP - 1) as $float)).to_bits() << BITS)
+            }
+
             #[inline]
             fn remainder(self, divisor: Self) -> Self {
                 $fmod(self, divisor)
-            }
-
-            #[inline]
-            fn ln_1p(self) -> Self {
-                $log1p(self)
-            }
-
-            #[inline]
-            fn exp_m1(self) -> Self {
-                $expm1(self)
-            }
-
-            #[inline]
-            fn log2(self) -> Self {
-                $log2(self)
             }
         }
     };
@@ -342,20 +339,6 @@ real!(
     6_755_399_441_055_744.0,
     0x2A9F_7893_0000_0000,
     libm::sqrt,
-    libm::fmod,
-    libm::log1p,
-    libm::expm1,
-    libm::log2
+    libm::fmod
 );
-real!(
-    f32,
-    u32,
-    f32,
-    12_582_912.0,
-    0x2A51_2CE3,
-    libm::sqrtf,
-    libm::fmodf,
-    libm::log1pf,
-    libm::expm1f,
-    libm::log2f
-);
+real!(f32, u32, f32, 12_582_912.0, 0x2A51_2CE3, libm::sqrtf, libm::fmodf);

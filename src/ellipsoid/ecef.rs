@@ -149,7 +149,7 @@ impl<T: Real> Ellipsoid<T> {
         let (rise, rise_lost) = product(z, s);
         let (reach, reach_lost) = sum(out, rise);
         let lost = reach_lost + out_lost + rise_lost + rho_lost * c - T::of(0.5) * d * reach;
-        let e2ss = self.e2() * ss;
+        let e2ss = self.e2() * (ss - ss * d);
         let w = (T::ONE - e2ss).sqrt();
         let height = (reach - self.a) + (self.a * e2ss / (T::ONE + w) + lost);
         (lat, height)

@@ -4,7 +4,7 @@ mod ecef;
 
 use core::fmt;
 
-use crate::math::{atan, cbrt};
+use crate::math::{atan, cbrt, inverse_gudermannian};
 use crate::{Direction, Dual, Real};
 
 /// An ellipsoid of revolution: semi-major (equatorial) axis a in metres and flattening f = (a − b)/a.
@@ -192,8 +192,8 @@ impl<T: Real> Ellipsoid<T> {
         } else {
             let e = e2.abs().sqrt();
             let ratio = if self.f > T::ZERO {
-                // 1 − e = (1 − f)²/(1 + e).
-                half * (T::of(2.0) * e * (T::ONE + e) / squeeze).ln_1p() / e
+                // atanh e, where √(1 − e²) = 1 − f.
+                inverse_gudermannian((e, T::ONE - self.f)) / e
             } else {
                 atan(e) / e
             };

@@ -9,13 +9,18 @@
 //! | [`atan`], [`atan2`] | all | 0.85 ulp | 0.85 ulp |
 //! | [`atan2_degrees`] | all | 0.85 ulp | 0.85 ulp |
 //! | [`cbrt`] | normal | 1 ulp | 1 ulp |
+//! | [`exp_m1`] | all | 0.75 ulp | 0.75 ulp |
+//! | [`log2`] | all | 0.85 ulp | 0.85 ulp |
 
 mod atan;
 mod cbrt;
 mod complex;
 pub(crate) mod conformal;
+mod exp_m1;
 pub(crate) mod geodesic;
+mod gudermannian;
 pub(crate) mod latitude;
+mod log2;
 mod minimax;
 mod polynomial;
 mod sin_cos;
@@ -25,6 +30,9 @@ pub(crate) use atan::octant;
 pub use atan::{atan, atan2, atan2_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::{Complex, complex_polynomial};
+pub use exp_m1::exp_m1;
+pub(crate) use gudermannian::{gudermannian, inverse_gudermannian};
+pub use log2::log2;
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_S, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::{halves, odd_unit};

@@ -12,6 +12,8 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("math::atan2", "ulp", [0.85, 0.85]),
     ("math::atan2_degrees", "ulp", [0.85, 0.85]),
     ("math::cbrt", "ulp", [1.0, 1.0]),
+    ("math::exp_m1", "ulp", [0.75, 0.75]),
+    ("math::log2", "ulp", [0.85, 0.85]),
     ("LatLon to Direction", "rad", [2.2e-16, 1.2e-7]),
     ("Direction to LatLon", "ulp", [1.5, 1.5]),
     ("LatLon to FacePoint and back, any projection and shift", "m", [5e-9, 2.6]),
