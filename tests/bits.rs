@@ -168,7 +168,7 @@ fn bits_are_the_same_everywhere() {
         ("positions", 0x5013_a304_7c7f_81ba, 0xa542_bc46_2967_22c2),
         ("latitudes", 0x9ecb_5e2d_7b36_67c0, 0x1e7e_e8ab_df88_b2dd),
         ("shifts", 0x9f8a_6de9_64eb_96a7, 0x0b31_1567_8350_ddc4),
-        ("projections", 0x0c72_ce60_e7c8_734a, 0x70bd_779e_5fef_8f42),
+        ("projections", 0xa36a_6de4_0666_118b, 0x3c87_581e_5f85_c502),
         ("geodesics", 0x687c_5c9a_871a_b66c, 0x3d37_fb63_da8e_2795),
         ("frames", 0x6c20_bb81_c99d_1714, 0xfecc_2a71_20f6_c652),
     ];

@@ -53,9 +53,9 @@ impl CubeProjection for Balanced {
             let (ux, uy) = (fx.value - two * xx * (fx.a + fx.c), twist * p * p);
             let (vx, vy) = (twist * q * q, fy.value - two * yy * (fy.a + fy.c));
             let (du, dv) = (u - x * fx.value, v - y * fy.value);
-            let determinant = ux * vy - uy * vx;
-            x += (du * vy - dv * uy) / determinant;
-            y += (dv * ux - du * vx) / determinant;
+            let inverse = T::ONE / (ux * vy - uy * vx);
+            x += (du * vy - dv * uy) * inverse;
+            y += (dv * ux - du * vx) * inverse;
         });
         [x.signed_like(u), y.signed_like(v)]
     }
