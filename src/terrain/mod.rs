@@ -15,6 +15,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod hilbert;
+mod key;
+mod morton;
+mod neighbour;
 mod tile;
 
+pub use hilbert::Hilbert;
+pub use key::{Curve, InvalidKey, InvalidToken, Key};
+pub use morton::Morton;
+pub use neighbour::{Adjacent, Along, Around, Diagonal};
 pub use tile::{InvalidPlace, InvalidTile, Tile};

@@ -24,10 +24,10 @@ use crate::math::{min, select};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Tile {
-    face: Face,
-    level: u8,
-    i: u32,
-    j: u32,
+    pub(super) face: Face,
+    pub(super) level: u8,
+    pub(super) i: u32,
+    pub(super) j: u32,
 }
 
 impl Tile {

@@ -7,5 +7,7 @@
     clippy::indexing_slicing
 )] // a test may fail loudly
 
+mod keys;
+mod neighbours;
 mod sample;
 mod tile;
