@@ -7,9 +7,8 @@ use crate::cube::{Face, Numbering};
 ///
 /// With S2's faces and axes, so that a tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube has the number of S2's cell in the same place.
 ///
-/// Without a table or a loop, in some 90 (there) and 60 (back) operations on words: what a level does to the ones below is a map of two bits,
-/// whether the axes are exchanged and whether they are reversed, and the maps of all levels are combined in five rounds, pairs of 1, 2, 4, …
-/// levels at a time (a parallel prefix: Hillis & Steele, CACM 29, 1986).
+/// Without a table or a loop: what a level does to the ones below is a map of two bits, whether the axes are exchanged and whether they are
+/// reversed, and the maps of all levels are combined at once, by a long division and sums over leading bits.
 ///
 /// ```
 /// use terrella::cube::{CubeProjection, Face, S2Quadratic};
@@ -26,8 +25,8 @@ pub struct Hilbert;
 
 impl Curve for Hilbert {}
 
-/// The levels of even number, counting from the coarsest as 0, among 30 bits.
-const EVEN: u32 = 0x2aaa_aaaa;
+/// Every other of 30 bits, the first among them.
+const ODD: u32 = 0x2aaa_aaaa;
 /// 30 bits.
 const ALL: u32 = 0x3fff_ffff;
 /// Every other bit.
@@ -41,36 +40,35 @@ impl Order for Hilbert {
 
     #[inline(always)]
     fn face(number: u8) -> Face {
-        match number {
-            0 => Face::Front,
-            1 => Face::Right,
-            2 => Face::Top,
-            3 => Face::Back,
-            4 => Face::Left,
-            _ => Face::Bottom,
-        }
+        const FACES: [Face; 6] = [
+            Face::Front,
+            Face::Right,
+            Face::Top,
+            Face::Back,
+            Face::Left,
+            Face::Bottom,
+        ];
+        FACES.get(usize::from(number)).copied().unwrap_or(Face::Front)
     }
 
     #[inline(always)]
     fn place(face: Face, i: u32, j: u32) -> u64 {
-        let (i, j) = to_curve(face, i, j);
-        // At each level, with s (exchanged) and r (reversed) from the levels above, the two digits are q = r ^ (s ? j : i) and d = i ^ j,
-        // and (s, r) becomes (s ^ !(q ^ d), r ^ (q & d)): an affine map over two elements. Exchanged at every other level, its linear
-        // part is a power of one matrix of order 3, [[a, b], [b, a ^ b]]; [c, e] is the rest.
+        let (i, j) = exchanged(face, reversed(face, (i, j)));
+        // At each level, with s (exchanged) and r (reversed) from the levels above, the two digits are q = i ^ r ^ (s & d) and d = i ^ j,
+        // and (s, r) becomes (s ^ !(q ^ d), r ^ (q & d)). With s and r exchanged below every other level this is (s, r) = w(s, r) + (c, e)
+        // in the field of four elements, where w is 1 for d = 1, and for d = 0 it and its inverse take turns.
         let d = i ^ j;
         let same = !d & ALL;
-        let (mut a, mut b) = (d | !EVEN & ALL, same);
         let (high, low) = (d & i, same & !i);
-        let (mut c, mut e) = (high | low & !EVEN, high | low & EVEN);
-        for shift in [1, 2, 4, 8, 16] {
-            let (a0, b0, c0, e0) = (a >> shift, b >> shift, c >> shift, e >> shift);
-            c ^= a & c0 ^ b & e0;
-            e ^= b & c0 ^ (a ^ b) & e0;
-            (a, b) = (a & a0 ^ b & b0, a & b0 ^ b & (a0 ^ b0));
-        }
-        // What the levels above have done, and no longer exchanged.
-        let (c, e) = (c >> 1, e >> 1);
-        let turn = (c ^ e) & !EVEN;
+        let (c, e) = (high | low & !ODD, high | low & ODD);
+        // The power of w that the levels so far come to: an alternating sum of bits modulo 3, which is the remainder of a long division by 3.
+        let quotient = same / 3;
+        let one = same ^ quotient;
+        let two = quotient << 1 & !one;
+        let (c, e) = product(power(one, two), (c, e));
+        let (c, e) = (all_above(c), all_above(e));
+        let (c, e) = product(power(one >> 1, two >> 1), (c, e));
+        let turn = (c ^ e) & !ODD;
         let (s, r) = (c ^ turn, e ^ turn);
         spread(i ^ r ^ s & d) << 1 | spread(d)
     }
@@ -88,33 +86,53 @@ impl Order for Hilbert {
         let swapped = s & low ^ r;
         let i = high ^ swapped;
         let j = i ^ low;
-        from_curve(face, gathered(i), gathered(j))
+        reversed(face, exchanged(face, (gathered(i), gathered(j))))
     }
 }
 
-/// The reversals of columns and rows, and then whether they are exchanged, from a face's axes to those of the curve: S2's axes, exchanged on its
-/// faces of odd number.
+/// w to the power of a remainder modulo 3 at every other bit, and to its negative at the others: (a, b) for a + bw.
 #[inline(always)]
-const fn orientation(face: Face) -> (u32, u32, bool) {
-    match face {
-        Face::Front => (0, 0, false),
-        Face::Right | Face::Bottom => (0, 0, true),
-        Face::Back => (0, ALL, false),
-        Face::Left => (0, ALL, true),
-        Face::Top => (ALL, 0, true),
-    }
+const fn power(one: u32, two: u32) -> (u32, u32) {
+    (!(one ^ (one ^ two) & ODD), one | two)
+}
+
+/// The product with c + ew, where w² = w + 1.
+#[inline(always)]
+const fn product((a, b): (u32, u32), (c, e): (u32, u32)) -> (u32, u32) {
+    (a & c ^ b & e, b & c ^ (a ^ b) & e)
+}
+
+/// At each bit, the sum modulo 2 of all above it.
+#[inline(always)]
+const fn all_above(bits: u32) -> u32 {
+    let x = bits >> 1;
+    let x = x ^ x >> 1;
+    let x = x ^ x >> 2;
+    let x = x ^ x >> 4;
+    let x = x ^ x >> 8;
+    x ^ x >> 16
+}
+
+/// By the bit of a face: whether its axes are exchanged on the way to the curve's, which are S2's, exchanged on S2's faces of odd number.
+const EXCHANGED: u8 = 0b11_1010;
+/// Whether its columns are counted backwards first.
+const REVERSED_I: u8 = 0b01_0000;
+/// Whether its rows are.
+const REVERSED_J: u8 = 0b00_1100;
+
+/// 30 ones if the face's bit is set, or none.
+#[inline(always)]
+const fn mask(set: u8, face: Face) -> u32 {
+    ((set >> face.index() & 1) as u32).wrapping_neg() & ALL
 }
 
 #[inline(always)]
-const fn to_curve(face: Face, i: u32, j: u32) -> (u32, u32) {
-    let (reverse_i, reverse_j, exchanged) = orientation(face);
-    let (i, j) = (i ^ reverse_i, j ^ reverse_j);
-    if exchanged { (j, i) } else { (i, j) }
+const fn exchanged(face: Face, (i, j): (u32, u32)) -> (u32, u32) {
+    let change = (i ^ j) & mask(EXCHANGED, face);
+    (i ^ change, j ^ change)
 }
 
 #[inline(always)]
-const fn from_curve(face: Face, i: u32, j: u32) -> (u32, u32) {
-    let (reverse_i, reverse_j, exchanged) = orientation(face);
-    let (i, j) = if exchanged { (j, i) } else { (i, j) };
-    (i ^ reverse_i, j ^ reverse_j)
+const fn reversed(face: Face, (i, j): (u32, u32)) -> (u32, u32) {
+    (i ^ mask(REVERSED_I, face), j ^ mask(REVERSED_J, face))
 }

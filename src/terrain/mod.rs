@@ -15,14 +15,21 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bounds;
+mod heights;
 mod hilbert;
 mod key;
 mod morton;
 mod neighbour;
 mod tile;
+mod vector;
+mod volume;
 
+pub use bounds::Enclosure;
+pub use heights::{Heights, InvalidHeights};
 pub use hilbert::Hilbert;
 pub use key::{Curve, InvalidKey, InvalidToken, Key};
 pub use morton::Morton;
 pub use neighbour::{Adjacent, Along, Around, Diagonal};
 pub use tile::{InvalidPlace, InvalidTile, Tile};
+pub use volume::{BoundingSphere, OrientedBox};

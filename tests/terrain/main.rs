@@ -7,6 +7,7 @@
     clippy::indexing_slicing
 )] // a test may fail loudly
 
+mod bounds;
 mod keys;
 mod neighbours;
 mod sample;
