@@ -18,6 +18,7 @@
 mod bounds;
 mod heights;
 mod hilbert;
+mod horizon;
 mod key;
 mod morton;
 mod neighbour;
@@ -28,6 +29,7 @@ mod volume;
 pub use bounds::Enclosure;
 pub use heights::{Heights, InvalidHeights};
 pub use hilbert::Hilbert;
+pub use horizon::Horizon;
 pub use key::{Curve, InvalidKey, InvalidToken, Key};
 pub use morton::Morton;
 pub use neighbour::{Adjacent, Along, Around, Diagonal};

@@ -138,7 +138,7 @@ fn boxes_are_not_much_larger_than_their_tiles() {
             for level in [0, 1, 2, 4, 8, 16] {
                 let most = match (projection, level) {
                     (Projection::Healpix, 0) => 1.27,
-                    (Projection::Healpix, _) => 1.15,
+                    (Projection::Healpix, _) => 1.16,
                     _ => 1.11,
                 };
                 let [across, up, _] = waste(projection, shift, level);

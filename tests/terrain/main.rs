@@ -8,6 +8,7 @@
 )] // a test may fail loudly
 
 mod bounds;
+mod horizon;
 mod keys;
 mod neighbours;
 mod sample;
