@@ -16,22 +16,27 @@
 //! ```
 
 mod bounds;
+mod camera;
+mod footprint;
 mod heights;
 mod hilbert;
 mod horizon;
 mod key;
 mod morton;
 mod neighbour;
+mod selection;
 mod tile;
 mod vector;
 mod volume;
 
 pub use bounds::Enclosure;
+pub use camera::{Camera, InvalidCamera};
 pub use heights::{Heights, InvalidHeights};
 pub use hilbert::Hilbert;
 pub use horizon::Horizon;
 pub use key::{Curve, InvalidKey, InvalidToken, Key};
 pub use morton::Morton;
 pub use neighbour::{Adjacent, Along, Around, Diagonal};
+pub use selection::{Detail, InvalidDetail, Selection};
 pub use tile::{InvalidPlace, InvalidTile, Tile};
 pub use volume::{BoundingSphere, OrientedBox};

@@ -12,4 +12,5 @@ mod horizon;
 mod keys;
 mod neighbours;
 mod sample;
+mod selection;
 mod tile;
