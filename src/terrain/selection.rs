@@ -54,7 +54,7 @@ impl<T: Real> Detail<T> {
     ///
     /// A tile is split while, in one of nine places of it, the filter would read from a level more than ½ log₂ `ratio` below the tile's (λ of
     /// Dimitrijević, Lambers & Rančić 2016, 3.2 and 3.3; see [`anisotropic`]), by the derivative of the picture there; and while the
-    /// eye is nearer to its box than the box's middle is to its corners, since nine places say nothing of what lies between then. What is seen at a
+    /// eye is nearer to its box than half of the box's diagonal on the ground, since nine places say nothing of what lies between then. What is seen at a
     /// grazing angle is split further than its coverage asks for.
     ///
     /// # Errors
@@ -162,7 +162,8 @@ impl<'a, T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Selection<'a,
         if self.detail.anisotropy == T::ZERO {
             return self.camera.coverage(bounds) > self.most;
         }
-        if bounds.distance(self.camera.eye()) < bounds.sphere().radius {
+        let [width, height, _] = bounds.half();
+        if bounds.distance(self.camera.eye()) < (width * width + height * height).sqrt() {
             return true;
         }
         let height = T::of(0.5) * (heights.low() + heights.high());

@@ -224,7 +224,7 @@ fn shared_edges_coincide_on_the_sphere() {
                 Edge::Left => [0, m],
                 Edge::Down => [m, 0],
             };
-            let vertical = |edge: Edge| edge as u8 % 2 == 0;
+            let vertical = |edge: Edge| matches!(edge, Edge::Right | Edge::Left);
             // Turning reverses the order along some edges.
             let reversed = match (vertical(edge), beyond.turns) {
                 (true, 1 | 2) | (false, 2 | 3) => count - m,
