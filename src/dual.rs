@@ -339,6 +339,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[inline(always)]
+    fn floor(self) -> i32 {
+        self.value.floor()
+    }
+
+    #[inline(always)]
     fn split(self) -> (Self, Self) {
         let (high, low) = self.value.split();
         (self.chain(high, T::ONE), Self::constant(low))

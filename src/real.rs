@@ -143,6 +143,10 @@ pub trait Real:
     #[must_use]
     fn round(self) -> Self;
 
+    /// The largest whole number that is not larger, for |x| < 2³¹.
+    #[must_use]
+    fn floor(self) -> i32;
+
     /// `(h, l)` with `h + l = x` exactly and `h` short enough for `h·h'` to be exact with any other such `h'`
     /// (Veltkamp's splitting). For |x| below the square root of the largest number.
     #[must_use]
@@ -298,6 +302,12 @@ macro_rules! real {
             #[inline(always)]
             fn round(self) -> Self {
                 (self + $magic) - $magic
+            }
+
+            #[inline(always)]
+            fn floor(self) -> i32 {
+                let toward_zero = self as i32;
+                toward_zero.saturating_sub((self < toward_zero as $float).into())
             }
 
             #[inline(always)]

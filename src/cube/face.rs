@@ -266,6 +266,17 @@ pub enum Edge {
 impl Edge {
     /// All four, counter-clockwise.
     pub const ALL: [Self; 4] = [Self::Right, Self::Up, Self::Left, Self::Down];
+
+    /// The edge of a number modulo 4.
+    #[inline(always)]
+    pub(crate) const fn turned(number: u8) -> Self {
+        match number % 4 {
+            0 => Self::Right,
+            1 => Self::Up,
+            2 => Self::Left,
+            _ => Self::Down,
+        }
+    }
 }
 
 /// What lies across an edge of a face.
@@ -301,6 +312,17 @@ pub enum Corner {
 impl Corner {
     /// All four, counter-clockwise from (1, 1).
     pub const ALL: [Self; 4] = [Self::UpRight, Self::UpLeft, Self::DownLeft, Self::DownRight];
+
+    /// The corner of a number modulo 4.
+    #[inline(always)]
+    pub(crate) const fn turned(number: u8) -> Self {
+        match number % 4 {
+            0 => Self::UpRight,
+            1 => Self::UpLeft,
+            2 => Self::DownLeft,
+            _ => Self::DownRight,
+        }
+    }
 
     /// The edge that ends and the edge that begins at this corner, going round counter-clockwise.
     #[must_use]

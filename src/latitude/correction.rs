@@ -168,6 +168,34 @@ impl<T: Real> Correction<T> {
         }
     }
 
+    /// Bounds over all latitudes: of the angle in radians, and below and above of the other latitude's derivative by the first and of the
+    /// ratio of their cosines.
+    ///
+    /// For a ratio of tangents both vary between it and its inverse. For δ(x) = Σ cₖ sin 2kx the derivative is within Σ 2k|cₖ| of 1, and so is
+    /// cos(x + δ)/cos x = cos δ − sin δ tan x but for δ²/2, since |sin 2kx tan x| = |sin 2kx/sin 2x|·2 sin² x ≤ 2k.
+    pub fn bounds(&self) -> (T, [T; 2]) {
+        let one = T::ONE;
+        let tangent = |m: T| {
+            let m = m.abs();
+            let ratio = (one + m) / (one - m);
+            // asin m ≤ tan asin m.
+            (m / (one - m * m).sqrt(), [one / ratio, ratio])
+        };
+        let series = |coefficients: &[T]| {
+            let (mut angle, mut slope) = (T::ZERO, T::ZERO);
+            for (k, c) in (1..).zip(coefficients) {
+                angle += c.abs();
+                slope += T::whole(2 * k) * c.abs();
+            }
+            (angle, [one - slope - T::of(0.5) * angle * angle, one + slope])
+        };
+        match self {
+            Self::None => (T::ZERO, [one, one]),
+            Self::Tangent(Tangent(m)) | Self::Near(Tangent(m)) => tangent(*m),
+            Self::Short(Series(coefficients)) | Self::Long(Series(coefficients)) => series(coefficients),
+        }
+    }
+
     /// The same function for a scalar with derivatives.
     pub fn lifted<const N: usize>(&self) -> Correction<Dual<T, N>> {
         match *self {

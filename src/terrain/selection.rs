@@ -1,0 +1,216 @@
+use core::fmt;
+use core::iter::FusedIterator;
+
+use super::footprint::Footprint;
+use super::{Camera, Enclosure, Heights, Horizon, InvalidTile, OrientedBox, Tile};
+use crate::Real;
+use crate::cube::{CubeProjection, Face};
+use crate::distortion::texture::anisotropic;
+use crate::math::min;
+
+/// How finely a picture wants its terrain.
+///
+/// ```
+/// use terrella::terrain::{Detail, InvalidDetail};
+/// // Tiles of 512 × 512 samples, of data that go down to level 17.
+/// let detail = Detail::new(512, 1.5, 17)?;
+/// assert_eq!(Detail::new(512, -1.0, 17), Err(InvalidDetail::Ratio(-1.0)));
+/// # Ok::<(), InvalidDetail<f64>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Detail<T> {
+    samples: T,
+    ratio: T,
+    finest: u8,
+    anisotropy: T,
+}
+
+impl<T: Real> Detail<T> {
+    /// From the samples along a tile's side, the pixels that may be drawn from each of them (1.5 in the paper), and the finest level that
+    /// there is.
+    ///
+    /// # Errors
+    /// [`InvalidDetail`] for no samples, a ratio that is not positive and finite, a level above 30.
+    pub fn new(samples: u32, ratio: T, finest: u8) -> Result<Self, InvalidDetail<T>> {
+        if samples == 0 {
+            return Err(InvalidDetail::Samples);
+        }
+        if !(ratio > T::ZERO && ratio.is_finite()) {
+            return Err(InvalidDetail::Ratio(ratio));
+        }
+        if finest > Tile::MAX_LEVEL {
+            return Err(InvalidDetail::Level(InvalidTile::Level(finest)));
+        }
+        Ok(Self {
+            samples: T::whole(samples.into()),
+            ratio,
+            finest,
+            anisotropy: T::ZERO,
+        })
+    }
+
+    /// For an anisotropic filter of at most so many samples: the level is the one that such a filter reads.
+    ///
+    /// A tile is split while, in one of nine places of it, the filter would read from a level more than ½ log₂ `ratio` below the tile's (λ of
+    /// Dimitrijević, Lambers & Rančić 2016, 3.2 and 3.3; see [`anisotropic`]), by the derivative of the picture there; and while the
+    /// eye is nearer to its box than half of the box's diagonal on the ground, since nine places say nothing of what lies between then. What is seen at a
+    /// grazing angle is split further than its coverage asks for.
+    ///
+    /// # Errors
+    /// [`InvalidDetail::Anisotropy`] for a number below 1, or not finite.
+    pub fn anisotropic(self, most: T) -> Result<Self, InvalidDetail<T>> {
+        if !(most >= T::ONE && most.is_finite()) {
+            return Err(InvalidDetail::Anisotropy(most));
+        }
+        Ok(Self {
+            anisotropy: most,
+            ..self
+        })
+    }
+}
+
+/// Why there is no such [`Detail`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum InvalidDetail<T> {
+    /// Tiles of no samples.
+    Samples,
+    /// The ratio of pixels to samples is not positive and finite.
+    Ratio(T),
+    /// There is no such level.
+    Level(InvalidTile),
+    /// The filter's number of samples is below 1 or not finite.
+    Anisotropy(T),
+}
+
+impl<T: fmt::Debug> fmt::Display for InvalidDetail<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Samples => f.write_str("a tile of no samples"),
+            Self::Ratio(ratio) => write!(f, "{ratio:?} is no ratio of pixels to samples"),
+            Self::Level(level) => level.fmt(f),
+            Self::Anisotropy(most) => write!(f, "a filter of at most {most:?} samples is none"),
+        }
+    }
+}
+
+impl<T: fmt::Debug> core::error::Error for InvalidDetail<T> {}
+
+/// The tiles that a picture is drawn from: of every place that is seen, one.
+///
+/// Lambers & Kolb (2012): from the six faces, a tile is split into its four quarters while its box covers more pixels, in the picture and beyond
+/// its sides, than `ratio` times its samples. What is outside the view or behind the horizon is left out. The boxes contain their tiles and
+/// the horizon hides nothing that is seen, so that no place is missed; and the quarters of a tile have no place in common, so that none is drawn twice, but for
+/// the lines between tiles.
+///
+/// An iterator that needs no stack: where it goes on is told by the address of the tile it has done with, first of a face its lower left tile and last its
+/// upper right one. The work is some 20 to 30 boxes more than there are tiles.
+///
+/// ```
+/// use terrella::cube::{CubeMap, Quadrilateralized};
+/// use terrella::terrain::{Camera, Detail, Enclosure, Heights, Selection, Tile};
+/// use terrella::{Ecef, Ellipsoid, Shift};
+///
+/// let enclosure = Enclosure::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
+/// // From 300 km above 0° N 0° E straight down, north up, 53° wide and high.
+/// let eye = Ecef::new(6_678_137.0_f64, 0.0, 0.0)?;
+/// let matrix = [[0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0], [0.0; 4], [-1.0, 0.0, 0.0, 0.0]];
+/// let camera = Camera::new(eye, matrix, [1024.0, 1024.0])?;
+///
+/// let heights = Heights::new(-500.0, 9_000.0)?;
+/// let tiles = Selection::new(&enclosure, camera, Detail::new(512, 1.5, 20)?, |_: Tile| heights);
+/// assert_eq!(tiles.count(), 16);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub struct Selection<'a, T, P, H> {
+    enclosure: &'a Enclosure<T, P>,
+    camera: Camera<T>,
+    horizon: Horizon<T>,
+    detail: Detail<T>,
+    /// The pixels that a tile may cover.
+    most: T,
+    /// The level of a texture below which a tile is too coarse.
+    coarsest: T,
+    heights: H,
+    next: Option<Tile>,
+}
+
+impl<'a, T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Selection<'a, T, P, H> {
+    /// For a camera, where `heights` tells the lowest and the highest point of a tile's terrain: in a tile not beyond those of the tile it is a quarter
+    /// of.
+    pub fn new(enclosure: &'a Enclosure<T, P>, camera: Camera<T>, detail: Detail<T>, mut heights: H) -> Self {
+        let lows = Face::ALL.map(|face| heights(Tile::root(face)).low());
+        let lowest = lows.into_iter().fold(T::of(f64::INFINITY), min);
+        Self {
+            enclosure,
+            camera,
+            horizon: Horizon::new(enclosure.map().shifted().ellipsoid(), lowest, camera.eye()),
+            detail,
+            most: detail.ratio * (detail.samples * detail.samples),
+            coarsest: -(T::of(0.5) * detail.ratio.log2()),
+            heights,
+            next: Some(Tile::root(Face::Front)),
+        }
+    }
+
+    /// Whether a tile that is seen is too coarse.
+    #[inline]
+    fn is_coarse(&self, tile: Tile, heights: Heights<T>, bounds: &OrientedBox<T>) -> bool {
+        if self.detail.anisotropy == T::ZERO {
+            return self.camera.coverage(bounds) > self.most;
+        }
+        let [width, height, _] = bounds.half();
+        if bounds.distance(self.camera.eye()) < (width * width + height * height).sqrt() {
+            return true;
+        }
+        let height = T::of(0.5) * (heights.low() + heights.high());
+        let texels = T::of(0.5) * self.detail.samples * T::whole(1 << tile.level());
+        let footprint = Footprint::new(&self.enclosure.map(), &self.camera, height);
+        (0..9).any(|n| match footprint.at(tile.node([n % 3, n / 3], 2)) {
+            None => false,
+            Some(units) => {
+                let [across, along] = units.map(|side| side.map(|unit| unit * texels));
+                anisotropic(across, along, self.detail.anisotropy).level < self.coarsest
+            }
+        })
+    }
+}
+
+impl<T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Iterator for Selection<'_, T, P, H> {
+    type Item = Tile;
+
+    fn next(&mut self) -> Option<Tile> {
+        while let Some(tile) = self.next {
+            self.next = after(tile);
+            let heights = (self.heights)(tile);
+            let bounds = self.enclosure.of(tile, heights);
+            if !self.camera.sees(&bounds) || self.horizon.hides_box(&bounds) {
+                continue;
+            }
+            match tile.children() {
+                Some([first, ..]) if tile.level() < self.detail.finest && self.is_coarse(tile, heights, &bounds) => {
+                    self.next = Some(first);
+                }
+                _ => return Some(tile),
+            }
+        }
+        None
+    }
+}
+
+impl<T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> FusedIterator for Selection<'_, T, P, H> {}
+
+/// The tile to go on with once one is done with, and all of it: the next quarter of the same tile, or of the last one above that has a next.
+fn after(tile: Tile) -> Option<Tile> {
+    let Tile { face, level, i, j } = tile;
+    // Each level at which it is the last quarter ends with it.
+    let ended = (i & j).trailing_ones() as u8;
+    if ended >= level {
+        return Face::from_index(face.index() + 1).ok().map(Tile::root);
+    }
+    let (level, i, j) = (level - ended, i >> ended, j >> ended);
+    Some(Tile::within(face, level, i ^ 1, j + (i & 1)))
+}

@@ -1,0 +1,84 @@
+use super::vector::{along, difference, dot};
+use crate::math::max;
+use crate::{Ecef, Real};
+
+/// A box of any orientation, in metres in Earth axes; from [`Enclosure::of`](super::Enclosure::of).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct OrientedBox<T> {
+    pub(super) centre: [T; 3],
+    pub(super) axes: [[T; 3]; 3],
+    pub(super) half: [T; 3],
+}
+
+impl<T: Real> OrientedBox<T> {
+    /// The middle, in metres.
+    #[must_use]
+    #[inline]
+    pub fn centre(&self) -> Ecef<T> {
+        let [x, y, z] = self.centre;
+        Ecef::within(x, y, z)
+    }
+
+    /// Three unit vectors at right angles, right-handed.
+    #[must_use]
+    #[inline]
+    pub fn axes(&self) -> [[T; 3]; 3] {
+        self.axes
+    }
+
+    /// Half of the extent along each axis, in metres.
+    #[must_use]
+    #[inline]
+    pub fn half(&self) -> [T; 3] {
+        self.half
+    }
+
+    /// The eight corners, in metres.
+    #[must_use]
+    #[inline]
+    pub fn corners(&self) -> [Ecef<T>; 8] {
+        let mut corner = 0;
+        [self.centre; 8].map(|mut point| {
+            for (bit, (axis, half)) in self.axes.into_iter().zip(self.half).enumerate() {
+                let way = if corner >> bit & 1 == 0 { -half } else { half };
+                point = along(point, way, axis);
+            }
+            corner += 1;
+            let [x, y, z] = point;
+            Ecef::within(x, y, z)
+        })
+    }
+
+    /// The sphere through the corners.
+    #[must_use]
+    #[inline]
+    pub fn sphere(&self) -> BoundingSphere<T> {
+        BoundingSphere {
+            centre: self.centre(),
+            radius: dot(self.half, self.half).sqrt(),
+        }
+    }
+
+    /// The distance of a point in metres, 0 inside.
+    #[must_use]
+    #[inline]
+    pub fn distance(&self, point: Ecef<T>) -> T {
+        let apart = difference(point.to_array(), self.centre);
+        let mut outside = [T::ZERO; 3];
+        for ((outside, axis), half) in outside.iter_mut().zip(self.axes).zip(self.half) {
+            *outside = max(dot(apart, axis).abs() - half, T::ZERO);
+        }
+        dot(outside, outside).sqrt()
+    }
+}
+
+/// A sphere, in metres in Earth axes; from [`OrientedBox::sphere`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BoundingSphere<T> {
+    /// The middle.
+    pub centre: Ecef<T>,
+    /// The radius in metres.
+    pub radius: T,
+}

@@ -1,0 +1,16 @@
+//! Terrain: tiles and their addresses.
+#![allow(
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)] // a test may fail loudly
+
+mod bounds;
+mod horizon;
+mod keys;
+mod neighbours;
+mod sample;
+mod selection;
+mod tile;
