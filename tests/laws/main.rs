@@ -1,0 +1,27 @@
+//! Laws that hold for any input, each defined once: here proptest looks for what breaks them, in `fuzz/` libFuzzer does.
+#![allow(
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)] // tests
+
+mod bytes;
+mod double;
+mod edges;
+mod harness;
+mod law;
+mod projection;
+mod reference;
+mod scalar;
+#[allow(dead_code)] // shared
+#[path = "../accuracy/table.rs"]
+mod table;
+#[allow(dead_code)] // shared
+#[path = "../accuracy/truth.rs"]
+mod truth;
+#[allow(dead_code)] // shared
+#[path = "../cube/unfolded.rs"]
+mod unfolded;
+mod vector;
