@@ -6,6 +6,8 @@ pub mod bytes;
 pub mod double;
 #[path = "../../tests/laws/edges.rs"]
 pub mod edges;
+#[path = "../../tests/laws/geodesic.rs"]
+pub mod geodesic;
 #[path = "../../tests/laws/law.rs"]
 pub mod law;
 #[path = "../../tests/laws/projection.rs"]

@@ -25,7 +25,7 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("Karney inverse, reduced length", "m", [8e-9, 3.0]),
     ("Karney direct, position", "m", [1e-8, 3.0]),
     ("Karney direct, position after several circuits", "m", [2.6e-8, 12.0]),
-    ("Karney area under a line", "m²", [0.1, 2e7]),
+    ("Karney area under a line", "m²", [0.1, 6e7]),
     ("Karney area under a line of less than 1000 km", "m²", [0.02, 2e5]),
     ("GreatCircle distance, relative", "", [5e-16, 3e-7]),
     ("Vincenty inverse, distance", "m", [2e-8, 7.0]),
@@ -35,8 +35,8 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("Ellipsoid::to_geodetic to 50 000 km", "m", [8e-9, 3.5]),
     ("Ground::jacobian, slopes relative to the longest", "", [2e-15, 5e-7]),
     ("Ground::jacobian, area, relative", "", [3e-15, 8e-7]),
-    ("Karney on Mars and the Moon", "m", [4e-9, 1.0]),
-    ("Karney for f = 1/10 and −1/150", "m", [1.2e-8, 1.0]),
+    ("Karney on Mars and the Moon", "m", [4e-9, 3.0]),
+    ("Karney for f = 1/10 and −1/150", "m", [1.2e-8, 3.0]),
     ("Karney for f = 1/10 and −1/150, several circuits", "m", [1.9e-8, 12.0]),
 ];
 

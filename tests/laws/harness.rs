@@ -30,12 +30,19 @@ pub fn holds(law: fn(&mut Bytes<'_>)) {
 }
 
 /// The files that a fuzzer found for a room: `found/ROOM-…`.
-pub fn found(room: &str, laws: &[Law]) {
+fn found(room: &str, laws: &[Law]) {
     for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/laws/found")).unwrap() {
         let path = entry.unwrap().path();
         if path.file_name().unwrap().to_str().unwrap().starts_with(room) {
             println!("{}", path.display());
             crate::law::run(laws, &std::fs::read(path).unwrap());
         }
+    }
+}
+
+#[test]
+fn what_was_found_holds() {
+    for (room, laws) in crate::ROOMS {
+        found(room, laws);
     }
 }

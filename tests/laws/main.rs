@@ -10,8 +10,11 @@
 mod bytes;
 mod double;
 mod edges;
+mod geodesic;
 mod harness;
 mod law;
+mod nearest;
+mod position;
 mod projection;
 mod reference;
 mod scalar;
@@ -25,3 +28,11 @@ mod truth;
 #[path = "../cube/unfolded.rs"]
 mod unfolded;
 mod vector;
+
+/// The rooms, by the names of the fuzz targets.
+const ROOMS: &[(&str, &[law::Law])] = &[
+    ("edges", edges::LAWS),
+    ("geodesic", geodesic::LAWS),
+    ("position", position::LAWS),
+    ("projection", projection::LAWS),
+];
