@@ -1,7 +1,11 @@
 //! The laws of `tests/laws`, for the fuzz targets.
 
+#[path = "../../tests/laws/batch.rs"]
+pub mod batch;
 #[path = "../../tests/laws/bytes.rs"]
 pub mod bytes;
+#[path = "../../tests/laws/doors.rs"]
+pub mod doors;
 #[path = "../../tests/laws/double.rs"]
 pub mod double;
 #[path = "../../tests/laws/edges.rs"]
@@ -10,6 +14,10 @@ pub mod edges;
 pub mod geodesic;
 #[path = "../../tests/laws/law.rs"]
 pub mod law;
+#[path = "../../tests/laws/nearest.rs"]
+mod nearest;
+#[path = "../../tests/laws/position.rs"]
+pub mod position;
 #[path = "../../tests/laws/projection.rs"]
 pub mod projection;
 #[path = "../../tests/laws/reference.rs"]

@@ -7,6 +7,7 @@
     clippy::indexing_slicing
 )] // tests
 
+mod batch;
 mod bytes;
 mod double;
 mod edges;
@@ -31,6 +32,7 @@ mod vector;
 
 /// The rooms, by the names of the fuzz targets.
 const ROOMS: &[(&str, &[law::Law])] = &[
+    ("batch", batch::LAWS),
     ("edges", edges::LAWS),
     ("geodesic", geodesic::LAWS),
     ("position", position::LAWS),

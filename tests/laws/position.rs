@@ -69,9 +69,9 @@ fn to_lat_lon<T: Scalar>(bytes: &mut Bytes<'_>) {
     assert!(place.lat().into().abs() <= 90.0 && place.lon().into().abs() <= 180.0, "{}", context());
     let across = (x * x + y * y).sqrt();
     // Products of smaller numbers are lost, here and there; and those of the smallest have fewer digits.
-    let least = if T::NAME == "f32" { 1e-30 } else { 1e-140 };
-    let allowed = claim("Direction to LatLon")[T::CLAIM];
-    for (angle, sin, cos) in [(place.lat(), z, across), (place.lon(), y, x)] {
+    let least = if T::NAME == "f32" { 1e-18 } else { 1e-140 };
+    let allowed = [claim("Direction to LatLon")[T::CLAIM], claim("math::atan2_degrees")[T::CLAIM]];
+    for ((angle, sin, cos), allowed) in [(place.lat(), z, across), (place.lon(), y, x)].into_iter().zip(allowed) {
         if sin.high.abs().max(cos.high.abs()) > least && (sin.high.abs() > least || angle == T::ZERO) && cos.high.abs() > 0.0 {
             let error = ulps_of_angle(angle, sin, cos);
             assert!(error <= allowed || angle == T::ZERO && sin.high.abs() <= least, "{}: {error} ulp", context());
@@ -109,6 +109,12 @@ fn claimed<T: Scalar>(name: &str, height: f64) -> f64 {
     }
 }
 
+/// How much more than on the Earth is let pass on an ellipsoid whose radii of curvature are larger.
+fn elsewhere<T: Scalar>(ellipsoid: Ellipsoid<T>) -> f64 {
+    let curved = (1.0 - ellipsoid.f().into()).powi(2);
+    if ellipsoid == Ellipsoid::wgs84() { 1.0 } else { 3.0 * curved.max(1.0 / curved) }
+}
+
 /// A place's point in Earth axes.
 fn to_ecef<T: Scalar>(bytes: &mut Bytes<'_>) {
     let ellipsoid = bytes.ellipsoid::<T>(-1.0, 0.5);
@@ -119,9 +125,7 @@ fn to_ecef<T: Scalar>(bytes: &mut Bytes<'_>) {
     let position = Geodetic::new(place, height).unwrap();
     let point = ellipsoid.to_ecef(position);
     let error = miss(point.to_array(), exact(ellipsoid, position));
-    // Radii of curvature of flatter ellipsoids are larger.
-    let curved = (1.0 - ellipsoid.f().into()).powi(2);
-    let allowed = claimed::<T>("Ellipsoid::to_ecef", height.into()) * curved.max(1.0 / curved);
+    let allowed = claimed::<T>("Ellipsoid::to_ecef", height.into()) * elsewhere(ellipsoid);
     assert!(error <= allowed, "{} {ellipsoid:?} {position:?}: {point:?}, {error:e}", T::NAME);
 }
 
@@ -155,9 +159,8 @@ fn to_geodetic<T: Scalar>(bytes: &mut Bytes<'_>) {
         return;
     }
     let error = miss(point.to_array(), exact(ellipsoid, position));
-    let curved = (1.0 - ellipsoid.f().into()).powi(2);
     // Within the Earth the place on the ground errs as one on it.
-    let allowed = claimed::<T>("Ellipsoid::to_geodetic", height.max(0.0)) * curved.max(1.0 / curved);
+    let allowed = claimed::<T>("Ellipsoid::to_geodetic", height.max(0.0)) * elsewhere(ellipsoid);
     assert!(error <= allowed, "{}, {error:e}", context());
 }
 
@@ -206,7 +209,8 @@ fn frames<T: Scalar>(bytes: &mut Bytes<'_>) {
         up: bytes.within(size),
     };
     let epsilon: f64 = T::EPSILON.into();
-    let range = length(components(enu));
+    // Not its square root, which underflows.
+    let range = 2.0 * components(enu).iter().fold(0.0_f64, |largest, v| largest.max(v.abs()));
     let context = || format!("{} {origin:?} {enu:?}", T::NAME);
     let back = frame.vector_to_enu(frame.vector_from_enu(enu));
     // Not below the smallest normal number, whose products have no digits.
@@ -280,7 +284,8 @@ fn latitudes_close<T: Scalar>(bytes: &mut Bytes<'_>) {
     let quarter = FRAC_PI_2;
     let in_degrees = bytes.flag();
     let value = if isometric {
-        bytes.within::<T>(40.0)
+        // Beyond, the other is a right angle.
+        bytes.within::<T>(if T::NAME == "f32" { 14.0 } else { 33.0 })
     } else if in_degrees {
         bytes.within(90.0)
     } else {
@@ -326,6 +331,10 @@ fn latitudes_grow<T: Scalar>(bytes: &mut Bytes<'_>) {
     };
     let (low, high) = if a < b { (a, b) } else { (b, a) };
     let [x, y] = [low, high].map(|value| conversion.degrees(value).unwrap());
+    if x.into().is_infinite() || y.into().is_infinite() {
+        assert!(x <= y, "{from} to {to}: {low:?} to {x:?}, {high:?} to {y:?}");
+        return;
+    }
     let slack = if to == Latitude::Isometric {
         4.0 * T::EPSILON.into() * (1.0 + y.into().abs())
     } else {
@@ -411,7 +420,7 @@ fn latitudes_are_true<T: Scalar>(bytes: &mut Bytes<'_>) {
         claim("latitude of a geodetic one")[T::CLAIM]
     };
     // asin q is the worst of them.
-    let textbook = 4e-16 / exact.cos();
+    let textbook = 8e-16 / exact.cos();
     assert!(
         (found - expected).abs() <= claimed + textbook,
         "{} {ellipsoid:?} {kind} of {phi:?}: {found:?} {expected:?}",
