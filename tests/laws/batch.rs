@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint};
-use terrella::geodesic::{Geodesic, Karney, Straight, Vincenty};
+use terrella::geodesic::{Karney, Straight, Vincenty};
 use terrella::latitude::Conversion;
 use terrella::{Direction, Ecef, Geodetic, LatLon, Latitude, Real, Shift, Shifted};
 

@@ -4,7 +4,6 @@ use crate::bytes::Bytes;
 
 #[derive(Clone, Copy)]
 pub struct Law {
-    pub name: &'static str,
     pub double: fn(&mut Bytes<'_>),
     pub single: fn(&mut Bytes<'_>),
 }
@@ -13,7 +12,7 @@ pub struct Law {
 macro_rules! laws {
     ($($law:ident)*) => {
         pub const LAWS: &[$crate::law::Law] = &[$(
-            $crate::law::Law { name: stringify!($law), double: $law::<f64>, single: $law::<f32> },
+            $crate::law::Law { double: $law::<f64>, single: $law::<f32> },
         )*];
 
         $(

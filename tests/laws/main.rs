@@ -9,6 +9,7 @@
 
 mod batch;
 mod bytes;
+mod doors;
 mod double;
 mod edges;
 mod geodesic;
@@ -33,6 +34,7 @@ mod vector;
 /// The rooms, by the names of the fuzz targets.
 const ROOMS: &[(&str, &[law::Law])] = &[
     ("batch", batch::LAWS),
+    ("doors", doors::LAWS),
     ("edges", edges::LAWS),
     ("geodesic", geodesic::LAWS),
     ("position", position::LAWS),
