@@ -38,9 +38,10 @@ fn compare<T: Scalar, E: Debug, const I: usize, const O: usize>(
     let rows: Vec<[T; I]> = (0..length).map(|_| next()).collect();
 
     // One of eight batches has a column that is shorter or longer.
-    let other = if unequal % 8 == 0 { length + 1 - usize::from(unequal / 8 % 3) } else { length };
+    let by = usize::from(unequal / 8 % 3);
+    let other = if unequal % 8 == 0 { (length + 1).saturating_sub(by) } else { length };
     let odd = usize::from(unequal / 32) % (I + O);
-    let long = |column: usize| if column == odd && length > 1 { other } else { length };
+    let long = |column: usize| if column == odd { other } else { length };
     let inputs: [Vec<T>; I] = core::array::from_fn(|column| {
         let values = rows.iter().map(|row| row[column]).chain([T::ZERO]);
         values.take(long(column)).collect()

@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use terrella::latitude::Conversion;
-use terrella::{Aer, Ecef, Ellipsoid, Enu, Geodetic, LatLon, Latitude, LocalFrame, Ned};
+use terrella::{Aer, Ecef, Ellipsoid, Enu, Geodetic, Latitude, LocalFrame, Ned};
 
 use crate::bytes::Bytes;
 use crate::double::{Double, of};
@@ -432,7 +432,7 @@ fn latitudes_are_true<T: Scalar>(bytes: &mut Bytes<'_>) {
 #[test]
 fn a_pole_is_one_place() {
     let earth = Ellipsoid::<f64>::wgs84();
-    let pole = LatLon::new(90.0, 77.0).unwrap();
+    let pole = terrella::LatLon::new(90.0, 77.0).unwrap();
     let [x, y, z] = exact(earth, pole.into());
     assert_eq!((x.high, y.high), (0.0, 0.0));
     assert!((z.high - earth.b()).abs() < 1e-9);
