@@ -20,14 +20,10 @@ mod scalar;
 
 use scalar::{Scalar, same};
 use terrella::cube::{
-    CubeMap, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Projection,
-    UnknownProjection,
+    CubeMap, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Projection, UnknownProjection,
 };
 use terrella::latitude::{Conversion, InvalidLatitude, UnknownLatitude, UnknownShift, UnsupportedFlattening};
-use terrella::{
-    Direction, Ellipsoid, InvalidDirection, InvalidLatLon, LatLon, Latitude, NAMED, Real, Shift,
-    Shifted,
-};
+use terrella::{Direction, Ellipsoid, InvalidDirection, InvalidLatLon, LatLon, Latitude, NAMED, Real, Shift, Shifted};
 
 fn lengths<T: Scalar>() {
     let tiny = T::from_bits(1);

@@ -1,5 +1,5 @@
 #![no_main]
 
-use terrella_fuzz::{projection, law};
+use terrella_fuzz::{law, projection};
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| law::run(projection::LAWS, bytes));

@@ -149,7 +149,11 @@ impl<T: Real> Vincenty<T> {
             x += -self.f * T::of(3.2) * ends.steepest();
         }
         // Where numbers are subnormal there is no relative error to speak of; next to the antipode x is by far smaller than what it stands for.
-        let least = if ends.far() { T::pick(1e-30, 1e-20) } else { T::pick(1e-300, 1e-36) };
+        let least = if ends.far() {
+            T::pick(1e-30, 1e-20)
+        } else {
+            T::pick(1e-300, 1e-36)
+        };
         for evaluations in 1..=STEPS {
             let arc = ends.arc(x);
             let series = self.series(arc.cos2_alpha);

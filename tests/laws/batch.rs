@@ -32,14 +32,20 @@ fn compare<T: Scalar, E: Debug, const I: usize, const O: usize>(
     let count = usize::from(bytes.byte() % 6) + 1;
     let elements: Vec<[T; I]> = (0..count).map(|_| element(bytes)).collect();
     let mut next = || {
-        order = order.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        order = order
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         elements[(order >> 33) as usize % count]
     };
     let rows: Vec<[T; I]> = (0..length).map(|_| next()).collect();
 
     // One of eight batches has a column that is shorter or longer.
     let by = usize::from(unequal / 8 % 3);
-    let other = if unequal % 8 == 0 { (length + 1).saturating_sub(by) } else { length };
+    let other = if unequal % 8 == 0 {
+        (length + 1).saturating_sub(by)
+    } else {
+        length
+    };
     let odd = usize::from(unequal / 32) % (I + O);
     let long = |column: usize| if column == odd { other } else { length };
     let inputs: [Vec<T>; I] = core::array::from_fn(|column| {
@@ -81,7 +87,11 @@ fn compare<T: Scalar, E: Debug, const I: usize, const O: usize>(
         (Err(expected), Err(found)) => {
             // In words, as a NaN is not itself.
             assert_eq!(format!("{expected:?}"), format!("{found:?}"), "{}", context());
-            assert!(results.iter().flatten().all(|&v| v == T::of(MARK)), "{}: written", context());
+            assert!(
+                results.iter().flatten().all(|&v| v == T::of(MARK)),
+                "{}: written",
+                context()
+            );
         }
         (expected, found) => panic!("{}: {:?} {found:?}", context(), expected.map(|_| ())),
     }
@@ -89,7 +99,11 @@ fn compare<T: Scalar, E: Debug, const I: usize, const O: usize>(
 
 /// A number of a column: in range, or one time in sixteen anything.
 fn entry<T: Scalar>(bytes: &mut Bytes<'_>, limit: f64) -> T {
-    if bytes.byte() % 16 == 15 { bytes.anything() } else { bytes.within(limit) }
+    if bytes.byte() % 16 == 15 {
+        bytes.anything()
+    } else {
+        bytes.within(limit)
+    }
 }
 
 fn place<T: Scalar>(bytes: &mut Bytes<'_>) -> [T; 2] {
@@ -155,7 +169,12 @@ fn positions<T: Scalar>(bytes: &mut Bytes<'_>) {
             place,
             |[lat, lon]| {
                 let place = LatLon::new(lat, lon)?;
-                Ok(if plain { place.to_direction() } else { shifted.to_direction(place) }.to_array())
+                Ok(if plain {
+                    place.to_direction()
+                } else {
+                    shifted.to_direction(place)
+                }
+                .to_array())
             },
             |from, to| {
                 if plain {
@@ -172,7 +191,11 @@ fn positions<T: Scalar>(bytes: &mut Bytes<'_>) {
             vector,
             |[x, y, z]| {
                 let direction = Direction::new(x, y, z)?;
-                let place = if plain { direction.to_lat_lon() } else { shifted.to_lat_lon(direction) };
+                let place = if plain {
+                    direction.to_lat_lon()
+                } else {
+                    shifted.to_lat_lon(direction)
+                };
                 Ok([place.lat(), place.lon()])
             },
             |from, to| {
@@ -201,7 +224,11 @@ fn latitudes<T: Scalar>(bytes: &mut Bytes<'_>) {
         "latitudes",
         |bytes| [entry(bytes, limit)],
         |[value]| {
-            let result = if degrees { conversion.degrees(value) } else { conversion.radians(value) };
+            let result = if degrees {
+                conversion.degrees(value)
+            } else {
+                conversion.radians(value)
+            };
             result.map(|value| [value])
         },
         |[from], [to]| {
@@ -343,7 +370,9 @@ fn directs<T: Scalar>(bytes: &mut Bytes<'_>) {
             },
             |[lat, lon, azimuth, distance]| {
                 let from = LatLon::new(lat, lon).map_err(InvalidProblem::LatLon)?;
-                let end = method.direct(from, azimuth, distance).map_err(InvalidProblem::Geodesic)?;
+                let end = method
+                    .direct(from, azimuth, distance)
+                    .map_err(InvalidProblem::Geodesic)?;
                 Ok([end.position.lat(), end.position.lon(), end.azimuth])
             },
             |[lat, lon, azimuth, distance], ends| batch::geodesic::direct(method, [lat, lon], azimuth, distance, ends),

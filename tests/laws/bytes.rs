@@ -1,7 +1,7 @@
 //! Numbers, places and points from bytes, which a fuzzer mutates and proptest shrinks: anywhere, and often where something
 //! could go wrong. Past the end all bytes are 0.
 //!
-//! What a byte means never changes but with the files in `found/`: they are such bytes.
+//! A corpus is such bytes: it is of no use to another reader of them.
 
 use terrella::cube::{Face, FacePoint, Projection};
 use terrella::{Direction, Ellipsoid, LatLon};
@@ -11,7 +11,16 @@ use crate::scalar::{Scalar, steps};
 pub struct Bytes<'a>(&'a [u8]);
 
 /// Where sines, tangents, faces and formulas change: parts of a limit.
-const LANDMARKS: [f64; 8] = [0.0, 1.0, 0.5, 0.25, 0.75, 1.0 / 3.0, 2.0 / 3.0, core::f64::consts::FRAC_1_SQRT_2];
+const LANDMARKS: [f64; 8] = [
+    0.0,
+    1.0,
+    0.5,
+    0.25,
+    0.75,
+    1.0 / 3.0,
+    2.0 / 3.0,
+    core::f64::consts::FRAC_1_SQRT_2,
+];
 
 impl<'a> Bytes<'a> {
     pub fn new(bytes: &'a [u8]) -> Self {
@@ -120,7 +129,11 @@ impl<'a> Bytes<'a> {
             (from.lat(), from.lon())
         };
         let mut beside = |about: T| {
-            if self.flag() { about + T::of(4.0 * self.tiny()) } else { about }
+            if self.flag() {
+                about + T::of(4.0 * self.tiny())
+            } else {
+                about
+            }
         };
         let (lat, lon) = (beside(lat), beside(lon));
         let right = T::of(90.0);
@@ -163,7 +176,11 @@ impl<'a> Bytes<'a> {
         } else {
             let face = self.face();
             let u = self.within::<T>(1.0);
-            let v = if kind % 8 == 6 { steps(u, self.between(8)) } else { self.within(1.0) };
+            let v = if kind % 8 == 6 {
+                steps(u, self.between(8))
+            } else {
+                self.within(1.0)
+            };
             face.to_earth([u, if self.flag() { -v } else { v }, T::ONE])
         };
         let [x, y, z] = vector;
@@ -175,7 +192,11 @@ impl<'a> Bytes<'a> {
     pub fn point<T: Scalar>(&mut self) -> FacePoint<T> {
         let face = self.face();
         let x = self.within::<T>(1.0);
-        let y = if self.byte() % 8 == 7 { steps(x, self.between(8)) } else { self.within(1.0) };
+        let y = if self.byte() % 8 == 7 {
+            steps(x, self.between(8))
+        } else {
+            self.within(1.0)
+        };
         let y = if y.abs() > T::ONE { T::ONE } else { y };
         FacePoint::new(face, x, if self.flag() { -y } else { y }).unwrap()
     }
@@ -191,7 +212,13 @@ impl<'a> Bytes<'a> {
             6 => T::of(self.tiny()),
             _ => T::of(least + (most - least) * 0.5 * (1.0 + self.even())),
         };
-        let f = if f < low { low } else if f > high { high } else { f };
+        let f = if f < low {
+            low
+        } else if f > high {
+            high
+        } else {
+            f
+        };
         Ellipsoid::new(T::of(6.4e6), f).unwrap()
     }
 }

@@ -32,7 +32,10 @@ laws! {
 /// An error's text says what is wrong in one line, the value included.
 fn says(error: impl Error, value: impl Debug) {
     let text = error.to_string();
-    assert!(!text.is_empty() && !text.contains('\n') && text == text.trim(), "{text:?}");
+    assert!(
+        !text.is_empty() && !text.contains('\n') && text == text.trim(),
+        "{text:?}"
+    );
     assert!(text.contains(&format!("{value:?}")), "{text:?} does not say {value:?}");
 }
 
@@ -72,7 +75,10 @@ fn lat_lon<T: Scalar>(bytes: &mut Bytes<'_>) {
             assert!(exact_lon.abs() > 180.0 || same(place.lon(), lon), "{lon:?}");
         }
         Err(why @ InvalidLatLon::Latitude(refused)) => {
-            assert!((exact_lat.abs() > 90.0 || exact_lat.is_nan()) && same(refused, lat), "{why:?}");
+            assert!(
+                (exact_lat.abs() > 90.0 || exact_lat.is_nan()) && same(refused, lat),
+                "{why:?}"
+            );
             says(why, lat);
         }
         Err(why @ InvalidLatLon::Longitude(refused)) => {
@@ -102,9 +108,15 @@ fn judge_direction<T: Scalar>([x, y, z]: [T; 3]) {
             let epsilon = T::EPSILON.into();
             let exact = unit.map(Into::<f64>::into);
             // Half of 4 ε, within which a vector is kept as it is, and the rounding of its square.
-            assert!(0.5 * excess(exact).abs() <= 2.75 * epsilon, "{v:?}: {unit:?} is no unit vector");
+            assert!(
+                0.5 * excess(exact).abs() <= 2.75 * epsilon,
+                "{v:?}: {unit:?} is no unit vector"
+            );
             let v = scaled([x, y, z]);
-            assert!(cross(exact, v) <= 2.0 * epsilon * length(v), "{v:?}: {unit:?} is elsewhere");
+            assert!(
+                cross(exact, v) <= 2.0 * epsilon * length(v),
+                "{v:?}: {unit:?} is elsewhere"
+            );
             for i in 0..3 {
                 assert_eq!(exact[i].is_sign_negative(), v[i].is_sign_negative(), "{v:?}: {unit:?}");
             }
@@ -211,9 +223,16 @@ fn geodetic<T: Scalar>(bytes: &mut Bytes<'_>) {
     judge(Ecef::new(x, y, z));
     // A frame's points are finite, or refused.
     let frame = LocalFrame::new(Ellipsoid::<T>::wgs84(), place.into());
-    let enu = Enu { east: x, north: y, up: z };
+    let enu = Enu {
+        east: x,
+        north: y,
+        up: z,
+    };
     if let Ok(point) = frame.from_enu(enu) {
-        assert!(finite && point.to_array().iter().all(|v| v.is_finite()), "{enu:?}: {point:?}");
+        assert!(
+            finite && point.to_array().iter().all(|v| v.is_finite()),
+            "{enu:?}: {point:?}"
+        );
     }
 }
 
@@ -239,7 +258,10 @@ fn ellipsoid<T: Scalar>(bytes: &mut Bytes<'_>) {
             says(why, a);
         }
         Err(why @ InvalidEllipsoid::Flattening(refused)) => {
-            assert!(axis.contains(&a) && !flattening.contains(&f) && same(refused, f), "{why:?}");
+            assert!(
+                axis.contains(&a) && !flattening.contains(&f) && same(refused, f),
+                "{why:?}"
+            );
             says(why, f);
         }
     }
@@ -261,7 +283,9 @@ fn ellipsoid<T: Scalar>(bytes: &mut Bytes<'_>) {
 fn flattening<T: Scalar>(bytes: &mut Bytes<'_>) {
     let f = bytes.anything::<T>();
     let f = if bytes.flag() { f } else { f * T::of(1e-3) };
-    let Ok(ellipsoid) = Ellipsoid::new(T::of(6.4e6), f) else { return };
+    let Ok(ellipsoid) = Ellipsoid::new(T::of(6.4e6), f) else {
+        return;
+    };
     let within = |low: f64, high: f64, room: f64| {
         let f: f64 = f.into();
         // On either side of a bound its rounding decides.
@@ -275,7 +299,10 @@ fn flattening<T: Scalar>(bytes: &mut Bytes<'_>) {
     };
     let room = 1e-6;
     let judge = |what: &str, result: Result<(), UnsupportedFlattening<T>>, expected: Option<bool>| {
-        assert!(expected.is_none_or(|expected| result.is_ok() == expected), "{what} {ellipsoid:?}: {result:?}");
+        assert!(
+            expected.is_none_or(|expected| result.is_ok() == expected),
+            "{what} {ellipsoid:?}: {result:?}"
+        );
         if let Err(why) = result {
             assert!(same(why.0, f), "{what}: {why:?}");
             says(why, f);
@@ -330,9 +357,16 @@ fn latitude<T: Scalar>(bytes: &mut Bytes<'_>) {
     let conversion = Conversion::new(ellipsoid, from, to).unwrap();
     let value = bytes.anything::<T>();
     let quarter = T::of(core::f64::consts::FRAC_PI_2);
-    for (limit, result) in [(T::of(90.0), conversion.degrees(value)), (quarter, conversion.radians(value))] {
+    for (limit, result) in [
+        (T::of(90.0), conversion.degrees(value)),
+        (quarter, conversion.radians(value)),
+    ] {
         let context = || format!("{} {ellipsoid:?} {from} {value:?} to {to}: {result:?}", T::NAME);
-        let valid = if from == Latitude::Isometric { !value.into().is_nan() } else { value.abs() <= limit };
+        let valid = if from == Latitude::Isometric {
+            !value.into().is_nan()
+        } else {
+            value.abs() <= limit
+        };
         match result {
             Ok(converted) => {
                 assert!(valid && !converted.into().is_nan(), "{}", context());
@@ -355,7 +389,11 @@ fn name<T: Copy + PartialEq + Debug + Display + FromStr<Err: Error>>(text: &str,
         (Ok(parsed), Some(&kind)) => assert_eq!(parsed, kind),
         (Err(why), None) => {
             let words = why.to_string();
-            assert!(all.iter().all(|kind| words.split(' ').any(|word| word == kind.to_string())), "{words}");
+            assert!(
+                all.iter()
+                    .all(|kind| words.split(' ').any(|word| word == kind.to_string())),
+                "{words}"
+            );
         }
         (parsed, known) => panic!("{text:?}: {:?} {known:?}", parsed.is_ok()),
     }
@@ -382,7 +420,11 @@ fn names<T: Scalar>(bytes: &mut Bytes<'_>) {
     name(&text, Shift::ALL);
     name(&text, Latitude::ALL);
     name(&text, Method::ALL);
-    assert_eq!(Ellipsoid::<T>::named(&text).is_some(), NAMED.contains(&&*text), "{text:?}");
+    assert_eq!(
+        Ellipsoid::<T>::named(&text).is_some(),
+        NAMED.contains(&&*text),
+        "{text:?}"
+    );
 }
 
 /// Azimuths, distances and fractions.
@@ -393,12 +435,21 @@ fn lines<T: Scalar>(bytes: &mut Bytes<'_>) {
     let (azimuth, distance) = (bytes.anything::<T>(), bytes.anything::<T>());
     let solver = method.on(ellipsoid).unwrap();
     let end = solver.direct(from, azimuth, distance);
-    let context = || format!("{method} {} {ellipsoid:?} {from:?} {azimuth:?} {distance:?}: {end:?}", T::NAME);
+    let context = || {
+        format!(
+            "{method} {} {ellipsoid:?} {from:?} {azimuth:?} {distance:?}: {end:?}",
+            T::NAME
+        )
+    };
     match end {
         Ok(end) => {
             assert!(azimuth.is_finite() && distance.is_finite(), "{}", context());
             let position = end.position;
-            assert!(LatLon::new(position.lat(), position.lon()) == Ok(position), "{}", context());
+            assert!(
+                LatLon::new(position.lat(), position.lon()) == Ok(position),
+                "{}",
+                context()
+            );
             assert!(end.azimuth.into().abs() <= 180.0, "{}", context());
         }
         Err(why @ GeodesicError::Azimuth(refused)) => {
@@ -408,14 +459,21 @@ fn lines<T: Scalar>(bytes: &mut Bytes<'_>) {
         Err(why @ GeodesicError::Distance(refused)) => {
             // Too many circuits for some methods.
             let far = distance.into().abs() > 5e8;
-            assert!(azimuth.is_finite() && (far || !distance.is_finite()) && same(refused, distance), "{}", context());
+            assert!(
+                azimuth.is_finite() && (far || !distance.is_finite()) && same(refused, distance),
+                "{}",
+                context()
+            );
             says(why, distance);
         }
         Err(why @ GeodesicError::NotConverged(..)) => panic!("{why}"),
     }
     let sphere = GreatCircle::new(T::of(6.4e6)).unwrap();
     match sphere.intermediate(from, to, distance) {
-        Ok(place) => assert!(LatLon::new(place.lat(), place.lon()) == Ok(place), "{from:?} {to:?} {distance:?}"),
+        Ok(place) => assert!(
+            LatLon::new(place.lat(), place.lon()) == Ok(place),
+            "{from:?} {to:?} {distance:?}"
+        ),
         Err(GeodesicError::Distance(refused)) => assert!(!refused.is_finite(), "{from:?} {to:?} {distance:?}"),
         Err(why) => panic!("{why}"),
     }
@@ -427,39 +485,60 @@ fn lines<T: Scalar>(bytes: &mut Bytes<'_>) {
         polygon.add(corner);
         // Half of the flattest ellipsoid here that is longer than wide.
         let (area, around) = (polygon.area().into(), polygon.perimeter().into());
-        assert!(area.abs() <= 2.62e14 && (0.0..=9e7).contains(&around), "{corner:?}: {area} {around}");
+        assert!(
+            area.abs() <= 2.62e14 && (0.0..=9e7).contains(&around),
+            "{corner:?}: {area} {around}"
+        );
     }
 }
 
 /// What has passed the door of places is no NaN behind it.
 fn beyond_lat_lon<T: Scalar>(bytes: &mut Bytes<'_>) {
-    let Ok(place) = LatLon::new(bytes.anything::<T>(), bytes.anything()) else { return };
+    let Ok(place) = LatLon::new(bytes.anything::<T>(), bytes.anything()) else {
+        return;
+    };
     for &shift in Shift::ALL {
         let shifted = Shifted::new(Ellipsoid::<T>::wgs84(), shift).unwrap();
         let direction = shifted.to_direction(place);
-        assert!(excess(direction.to_array().map(Into::into)).abs() <= 8.0 * T::EPSILON.into(), "{place:?}");
+        assert!(
+            excess(direction.to_array().map(Into::into)).abs() <= 8.0 * T::EPSILON.into(),
+            "{place:?}"
+        );
         let back = shifted.to_lat_lon(direction);
-        assert!(LatLon::new(back.lat(), back.lon()) == Ok(back), "{shift} {place:?}: {back:?}");
+        assert!(
+            LatLon::new(back.lat(), back.lon()) == Ok(back),
+            "{shift} {place:?}: {back:?}"
+        );
     }
 }
 
 /// What has passed the door of directions, too.
 fn beyond_direction<T: Scalar>(bytes: &mut Bytes<'_>) {
-    let Ok(direction) = Direction::new(bytes.anything::<T>(), bytes.anything(), bytes.anything()) else { return };
+    let Ok(direction) = Direction::new(bytes.anything::<T>(), bytes.anything(), bytes.anything()) else {
+        return;
+    };
     let place = direction.to_lat_lon();
-    assert!(LatLon::new(place.lat(), place.lon()) == Ok(place), "{direction:?}: {place:?}");
+    assert!(
+        LatLon::new(place.lat(), place.lon()) == Ok(place),
+        "{direction:?}: {place:?}"
+    );
     for &projection in Projection::ALL {
         // Not `project`, whose bounds would hide a NaN.
         let face = projection.face(direction);
         let point = projection.forward(face, face.to_local(direction.to_array()));
         let limit = 1.0 + T::EPSILON.into();
-        assert!(point.iter().all(|&c| c.into().abs() <= limit), "{projection} {direction:?}: {point:?}");
+        assert!(
+            point.iter().all(|&c| c.into().abs() <= limit),
+            "{projection} {direction:?}: {point:?}"
+        );
     }
 }
 
 /// What has passed the door of faces, too: unit vectors, and derivatives that are numbers or refused.
 fn beyond_face_point<T: Scalar>(bytes: &mut Bytes<'_>) {
-    let Ok(point) = FacePoint::new(bytes.face(), bytes.anything::<T>(), bytes.anything()) else { return };
+    let Ok(point) = FacePoint::new(bytes.face(), bytes.anything::<T>(), bytes.anything()) else {
+        return;
+    };
     let shift = bytes.choice(Shift::ALL);
     for &projection in Projection::ALL {
         let unit = projection.unproject(point).to_array();

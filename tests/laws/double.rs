@@ -92,7 +92,11 @@ impl Double {
         for n in 2..32 {
             term = term * self / of(f64::from(n));
             let signed = if n % 4 < 2 { term } else { -term };
-            if n % 2 == 0 { cos = cos + signed } else { sin = sin + signed }
+            if n % 2 == 0 {
+                cos = cos + signed
+            } else {
+                sin = sin + signed
+            }
         }
         (sin, cos)
     }

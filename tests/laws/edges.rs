@@ -1,7 +1,7 @@
 //! The cube's seams: across edges and around corners nothing jumps.
 
-use terrella::cube::{CubeProjection, Edge, FacePoint, Projection};
 use terrella::Direction;
+use terrella::cube::{CubeProjection, Edge, FacePoint, Projection};
 
 use crate::bytes::Bytes;
 use crate::law::laws;
@@ -19,7 +19,11 @@ fn seam<T: Scalar>(bytes: &mut Bytes<'_>) {
     let (inside, outside) = (bytes.between(8).abs(), bytes.between(8).abs());
     let neighbour = face.neighbour(edge);
     let here = inward(on_edge(edge, along), edge, inside);
-    let there = inward(beyond(on_edge(edge, along), edge, neighbour.turns), neighbour.edge, outside);
+    let there = inward(
+        beyond(on_edge(edge, along), edge, neighbour.turns),
+        neighbour.edge,
+        outside,
+    );
     let direction = |face, [x, y]: [T; 2]| projection.unproject(FacePoint::new(face, x, y).unwrap()).to_array();
     let (a, b) = (direction(face, here), direction(neighbour.face, there));
     let moved = (0..3).map(|i| ulps(a[i], b[i])).fold(0.0, f64::max);
@@ -80,7 +84,9 @@ fn step<T: Scalar>(bytes: &mut Bytes<'_>) {
             // Near a corner a coordinate goes with the ¾th power of the distance.
             let ulp = 0.5 * T::EPSILON.into();
             let near = |v: T| 1.0 - v.abs().into();
-            let corner = near(from.x()).hypot(near(from.y())).max(((count + 2.0) * ulp).powf(0.75));
+            let corner = near(from.x())
+                .hypot(near(from.y()))
+                .max(((count + 2.0) * ulp).powf(0.75));
             (2.0 * count + 8.0) * corner.powf(-1.0 / 3.0)
         }
         _ => 3.0 * count + 6.0,

@@ -1,10 +1,9 @@
-//! Laws as tests: on bytes of proptest's, and on the bytes that broke them once.
+//! Laws as tests, on bytes of proptest's.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, FileFailurePersistence, TestRunner};
 
 use crate::bytes::Bytes;
-use crate::law::Law;
 
 /// How many inputs of a law are tried.
 const CASES: u32 = 4000;
@@ -26,23 +25,5 @@ pub fn holds(law: fn(&mut Bytes<'_>)) {
     });
     if let Err(failure) = judged {
         panic!("{failure}");
-    }
-}
-
-/// The files that a fuzzer found for a room: `found/ROOM-…`.
-fn found(room: &str, laws: &[Law]) {
-    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/laws/found")).unwrap() {
-        let path = entry.unwrap().path();
-        if path.file_name().unwrap().to_str().unwrap().starts_with(room) {
-            println!("{}", path.display());
-            crate::law::run(laws, &std::fs::read(path).unwrap());
-        }
-    }
-}
-
-#[test]
-fn what_was_found_holds() {
-    for (room, laws) in crate::ROOMS {
-        found(room, laws);
     }
 }

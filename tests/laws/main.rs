@@ -14,6 +14,7 @@ mod double;
 mod edges;
 mod geodesic;
 mod harness;
+#[allow(dead_code)] // the fuzzer's part
 mod law;
 mod nearest;
 mod position;
@@ -30,13 +31,3 @@ mod truth;
 #[path = "../cube/unfolded.rs"]
 mod unfolded;
 mod vector;
-
-/// The rooms, by the names of the fuzz targets.
-const ROOMS: &[(&str, &[law::Law])] = &[
-    ("batch", batch::LAWS),
-    ("doors", doors::LAWS),
-    ("edges", edges::LAWS),
-    ("geodesic", geodesic::LAWS),
-    ("position", position::LAWS),
-    ("projection", projection::LAWS),
-];

@@ -66,15 +66,29 @@ fn to_lat_lon<T: Scalar>(bytes: &mut Bytes<'_>) {
     let place = direction.to_lat_lon();
     let [x, y, z] = direction.to_array().map(|v| of(v.into()));
     let context = || format!("{} {direction:?}: {place:?}", T::NAME);
-    assert!(place.lat().into().abs() <= 90.0 && place.lon().into().abs() <= 180.0, "{}", context());
+    assert!(
+        place.lat().into().abs() <= 90.0 && place.lon().into().abs() <= 180.0,
+        "{}",
+        context()
+    );
     let across = (x * x + y * y).sqrt();
     // Products of smaller numbers are lost, here and there; and those of the smallest have fewer digits.
     let least = if T::NAME == "f32" { 1e-18 } else { 1e-140 };
-    let allowed = [claim("Direction to LatLon")[T::CLAIM], claim("math::atan2_degrees")[T::CLAIM]];
+    let allowed = [
+        claim("Direction to LatLon")[T::CLAIM],
+        claim("math::atan2_degrees")[T::CLAIM],
+    ];
     for ((angle, sin, cos), allowed) in [(place.lat(), z, across), (place.lon(), y, x)].into_iter().zip(allowed) {
-        if sin.high.abs().max(cos.high.abs()) > least && (sin.high.abs() > least || angle == T::ZERO) && cos.high.abs() > 0.0 {
+        if sin.high.abs().max(cos.high.abs()) > least
+            && (sin.high.abs() > least || angle == T::ZERO)
+            && cos.high.abs() > 0.0
+        {
             let error = ulps_of_angle(angle, sin, cos);
-            assert!(error <= allowed || angle == T::ZERO && sin.high.abs() <= least, "{}: {error} ulp", context());
+            assert!(
+                error <= allowed || angle == T::ZERO && sin.high.abs() <= least,
+                "{}: {error} ulp",
+                context()
+            );
         }
     }
 }
@@ -90,7 +104,11 @@ fn height<T: Scalar>(bytes: &mut Bytes<'_>) -> T {
 
 /// The point at a latitude, longitude and height.
 fn exact<T: Scalar>(ellipsoid: Ellipsoid<T>, place: Geodetic<T>) -> [Double; 3] {
-    let (a, f, height) = (of(ellipsoid.a().into()), of(ellipsoid.f().into()), of(place.height().into()));
+    let (a, f, height) = (
+        of(ellipsoid.a().into()),
+        of(ellipsoid.f().into()),
+        of(place.height().into()),
+    );
     let ((sin, cos), (sin_lon, cos_lon)) = (sin_cos_degrees(place.lat().into()), sin_cos_degrees(place.lon().into()));
     let squeeze = (of(1.0) - f) * (of(1.0) - f);
     let radius = a / (cos * cos + squeeze * sin * sin).sqrt();
@@ -100,7 +118,14 @@ fn exact<T: Scalar>(ellipsoid: Ellipsoid<T>, place: Geodetic<T>) -> [Double; 3] 
 
 /// What is claimed of a point on the Earth so far from its surface, in metres, and its part of the distance from the centre beyond.
 fn claimed<T: Scalar>(name: &str, height: f64) -> f64 {
-    let near = claim(&format!("{name} below 100 km{}", if name.ends_with("geodetic") { ", down to the centre" } else { "" }));
+    let near = claim(&format!(
+        "{name} below 100 km{}",
+        if name.ends_with("geodetic") {
+            ", down to the centre"
+        } else {
+            ""
+        }
+    ));
     let far = claim(&format!("{name} to 50 000 km"));
     if height.abs() <= 1e5 {
         near[T::CLAIM]
@@ -112,7 +137,11 @@ fn claimed<T: Scalar>(name: &str, height: f64) -> f64 {
 /// How much more than on the Earth is let pass on an ellipsoid whose radii of curvature are larger.
 fn elsewhere<T: Scalar>(ellipsoid: Ellipsoid<T>) -> f64 {
     let curved = (1.0 - ellipsoid.f().into()).powi(2);
-    if ellipsoid == Ellipsoid::wgs84() { 1.0 } else { 3.0 * curved.max(1.0 / curved) }
+    if ellipsoid == Ellipsoid::wgs84() {
+        1.0
+    } else {
+        3.0 * curved.max(1.0 / curved)
+    }
 }
 
 /// A place's point in Earth axes.
@@ -126,7 +155,11 @@ fn to_ecef<T: Scalar>(bytes: &mut Bytes<'_>) {
     let point = ellipsoid.to_ecef(position);
     let error = miss(point.to_array(), exact(ellipsoid, position));
     let allowed = claimed::<T>("Ellipsoid::to_ecef", height.into()) * elsewhere(ellipsoid);
-    assert!(error <= allowed, "{} {ellipsoid:?} {position:?}: {point:?}, {error:e}", T::NAME);
+    assert!(
+        error <= allowed,
+        "{} {ellipsoid:?} {position:?}: {point:?}, {error:e}",
+        T::NAME
+    );
 }
 
 /// A point: by its place, near the centre, or anywhere.
@@ -154,7 +187,11 @@ fn to_geodetic<T: Scalar>(bytes: &mut Bytes<'_>) {
     let position = ellipsoid.to_geodetic(point);
     let context = || format!("{} {ellipsoid:?} {point:?}: {position:?}", T::NAME);
     let (lat, lon, height) = (position.lat().into(), position.lon().into(), position.height().into());
-    assert!(lat.abs() <= 90.0 && lon.abs() <= 180.0 && height.is_finite(), "{}", context());
+    assert!(
+        lat.abs() <= 90.0 && lon.abs() <= 180.0 && height.is_finite(),
+        "{}",
+        context()
+    );
     if height.abs() > 1e30 {
         return;
     }
@@ -188,7 +225,10 @@ fn nearest<T: Scalar>(bytes: &mut Bytes<'_>) {
     assert!((height.abs() - least).abs() <= allowed, "{}", context());
     let inside = (rho / a).powi(2) + (z / b).powi(2) < 1.0;
     assert!(height.abs() <= allowed || (height < 0.0) == inside, "{}", context());
-    let foot = ellipsoid.to_ecef(Geodetic::from(found.lat_lon())).to_array().map(Into::<f64>::into);
+    let foot = ellipsoid
+        .to_ecef(Geodetic::from(found.lat_lon()))
+        .to_array()
+        .map(Into::<f64>::into);
     let far = length([x - foot[0], y - foot[1], z - foot[2]]);
     assert!((far - least).abs() <= 2.0 * allowed, "{}, the foot {far}", context());
 }
@@ -224,7 +264,11 @@ fn frames<T: Scalar>(bytes: &mut Bytes<'_>) {
     assert_eq!(frame.from_ned(Ned::from(enu)), Ok(point), "{}", context());
     let seen = frame.to_enu(point);
     let allowed = 2.0 * epsilon * (range + 6.5e6);
-    assert!(apart(components(seen), components(enu)) <= allowed, "{}: {seen:?}", context());
+    assert!(
+        apart(components(seen), components(enu)) <= allowed,
+        "{}: {seen:?}",
+        context()
+    );
     // The position of what is there, by angles and through Earth axes.
     let target = earth.to_geodetic(point);
     let direct = frame.geodetic_to_enu(target);
@@ -248,7 +292,11 @@ fn pointing<T: Scalar>(bytes: &mut Bytes<'_>) {
     let aer = Aer::from(enu);
     let context = || format!("{} {enu:?}: {aer:?}", T::NAME);
     let (azimuth, elevation, range) = (aer.azimuth.into(), aer.elevation.into(), aer.range.into());
-    assert!(azimuth.abs() <= 180.0 && elevation.abs() <= 90.0 && range >= 0.0, "{}", context());
+    assert!(
+        azimuth.abs() <= 180.0 && elevation.abs() <= 90.0 && range >= 0.0,
+        "{}",
+        context()
+    );
     let exact = components(enu);
     let largest = exact.iter().fold(0.0_f64, |largest, v| largest.max(v.abs()));
     let ends = [T::SMALLEST_NORMAL.into() * 1e3, T::LARGEST.into() * 0.25];
@@ -292,13 +340,21 @@ fn latitudes_close<T: Scalar>(bytes: &mut Bytes<'_>) {
         bytes.within(quarter)
     };
     let convert = |conversion: &Conversion<T>, value| {
-        let result = if in_degrees { conversion.degrees(value) } else { conversion.radians(value) };
+        let result = if in_degrees {
+            conversion.degrees(value)
+        } else {
+            conversion.radians(value)
+        };
         result.unwrap_or_else(|why| panic!("{} {ellipsoid:?} {from} {to} {value:?}: {why}", T::NAME))
     };
     let limit = if in_degrees { 90.0 } else { quarter + T::EPSILON.into() };
     let result = convert(&there, value);
     let context = || format!("{} {ellipsoid:?} {from} {value:?} to {to}: {result:?}", T::NAME);
-    assert!(to == Latitude::Isometric || result.into().abs() <= limit, "{}", context());
+    assert!(
+        to == Latitude::Isometric || result.into().abs() <= limit,
+        "{}",
+        context()
+    );
     assert_eq!(convert(&there, -value), -result, "{}", context());
     if result.into().is_infinite() {
         return;
@@ -325,7 +381,11 @@ fn latitudes_grow<T: Scalar>(bytes: &mut Bytes<'_>) {
     let conversion = Conversion::new(ellipsoid, from, to).unwrap();
     let (a, b) = {
         let a = bytes.within::<T>(90.0);
-        let b = if bytes.flag() { bytes.within(90.0) } else { steps(a, bytes.between(8)) };
+        let b = if bytes.flag() {
+            bytes.within(90.0)
+        } else {
+            steps(a, bytes.between(8))
+        };
         let right = T::of(90.0);
         (a, if b.abs() > right { right } else { b })
     };

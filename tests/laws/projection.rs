@@ -167,7 +167,12 @@ fn symmetries<T: Scalar>(bytes: &mut Bytes<'_>) {
     }
     let point = projection.project(direction);
     let image = projection.project(moved);
-    let context = || format!("{projection} {}: {symmetry:?} of {direction:?}: {point:?}, {image:?}", T::NAME);
+    let context = || {
+        format!(
+            "{projection} {}: {symmetry:?} of {direction:?}: {point:?}, {image:?}",
+            T::NAME
+        )
+    };
 
     // The point as a vector of the unfolded cube: its face's frame with the coordinates in place of right and up.
     let on_cube = |point: FacePoint<T>| point.face().to_earth([point.x(), point.y(), T::ONE]);
@@ -179,8 +184,9 @@ fn symmetries<T: Scalar>(bytes: &mut Bytes<'_>) {
         assert!((0..3).all(|i| ulps(expected[i], found[i]) <= allowed), "{}", context());
     } else {
         // A tie, and the other face is taken: both are on the border.
-        let border = |point: FacePoint<T>| point.x().abs() >= T::ONE - T::of(2.0) * T::EPSILON
-            || point.y().abs() >= T::ONE - T::of(2.0) * T::EPSILON;
+        let border = |point: FacePoint<T>| {
+            point.x().abs() >= T::ONE - T::of(2.0) * T::EPSILON || point.y().abs() >= T::ONE - T::of(2.0) * T::EPSILON
+        };
         assert!(border(point) && border(image), "{}", context());
     }
 

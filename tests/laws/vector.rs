@@ -36,11 +36,17 @@ pub fn excess(v: [f64; 3]) -> f64 {
 /// The angle between two vectors in radians, if it is small; else 4.
 pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
     let product: f64 = (0..3).map(|i| a[i] * b[i]).sum();
-    if product > 0.0 { cross(a, b) / (length(a) * length(b)) } else { 4.0 }
+    if product > 0.0 {
+        cross(a, b) / (length(a) * length(b))
+    } else {
+        4.0
+    }
 }
 
 /// The largest difference of a component.
 pub fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     // Not f64::max, which would drop a NaN.
-    (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, |worst, d| if d <= worst { worst } else { d })
+    (0..3)
+        .map(|i| (a[i] - b[i]).abs())
+        .fold(0.0, |worst, d| if d <= worst { worst } else { d })
 }
