@@ -8,7 +8,7 @@ impl<T: Real> Ellipsoid<T> {
     ///
     /// X = (N + h) cos φ cos λ, Y = (N + h) cos φ sin λ, Z = ((1 − e²)N + h) sin φ with N = a/√(1 − e² sin² φ).
     ///
-    /// Worst error on the Earth: 0.7 nm below 100 km, 5 nm at 50 000 km (`f64`); 0.4 m, 2.1 m (`f32`); 0.7 ulp of the radius. Exactly on the axis at
+    /// Worst error on the Earth: 0.75 nm below 100 km, 6 nm at 50 000 km (`f64`); 0.4 m, 3.2 m (`f32`); 0.8 ulp of the radius. Exactly on the axis at
     /// the poles, exactly on the axes and planes at multiples of 90°.
     ///
     /// ```
@@ -55,8 +55,8 @@ impl<T: Real> Ellipsoid<T> {
     /// the geocentre is at latitude 90 and height −b); longitude 0 (prolate, on the axis inside the evolute; so the
     /// geocentre is at 0° N, 0° E and height −a). The centre of a sphere is at latitude 90. On the axis, the longitude is 0.
     ///
-    /// Worst error on the Earth, as a displacement of the point itself: 2 nm below 10 000 km and down to the geocentre, 8 nm at
-    /// 50 000 km (`f64`); 0.8 m, 3.5 m (`f32`). Within 60 km of the centre the place on the ground moves by up to 5 nm (3.5 m). Most of that is the last place of the angles; the height alone is within 10 pm (5 mm) between −100 km and
+    /// Worst error on the Earth, as a displacement of the point itself: 2.2 nm below 100 km and down to the geocentre, 16 nm at
+    /// 50 000 km (`f64`); 1.2 m, 8.5 m (`f32`). Within 60 km of the centre the place on the ground moves by up to 5 nm (3.5 m). Most of that is the last place of the angles; the height alone is within 10 pm (5 mm) between −100 km and
     /// 100 km, and within 1.2 ulp elsewhere. On the evolute itself any error moves the latitude by its square root, but the
     /// point found is still as near as the nearest.
     ///

@@ -95,7 +95,7 @@ impl<T: Real> GreatCircle<T> {
     /// On a sphere of the given radius in metres, for instance an [`Ellipsoid::mean_radius`].
     ///
     /// # Errors
-    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 0 < radius < ∞.
+    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.
     pub fn new(radius: T) -> Result<Self, InvalidEllipsoid<T>> {
         Ellipsoid::sphere(radius).map(|_| Self { radius })
     }

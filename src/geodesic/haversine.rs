@@ -36,7 +36,7 @@ impl<T: Real> Haversine<T> {
     /// On a sphere of the given radius in metres.
     ///
     /// # Errors
-    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 0 < radius < ∞.
+    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.
     pub fn new(radius: T) -> Result<Self, InvalidEllipsoid<T>> {
         GreatCircle::new(radius).map(|sphere| Self { sphere })
     }

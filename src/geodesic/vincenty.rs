@@ -148,6 +148,12 @@ impl<T: Real> Vincenty<T> {
         if ends.far() && self.f < T::ZERO {
             x += -self.f * T::of(3.2) * ends.steepest();
         }
+        // Where numbers are subnormal there is no relative error to speak of; next to the antipode x is by far smaller than what it stands for.
+        let least = if ends.far() {
+            T::pick(1e-30, 1e-20)
+        } else {
+            T::pick(1e-300, 1e-36)
+        };
         for evaluations in 1..=STEPS {
             let arc = ends.arc(x);
             let series = self.series(arc.cos2_alpha);
@@ -155,8 +161,7 @@ impl<T: Real> Vincenty<T> {
             let shift = ends.side * self.f * arc.sin_alpha * integral;
             let residual = ends.lon + shift - x;
             let slope = T::ONE - ends.side * self.f * arc.bend * integral - self.f * arc.sin_alpha * arc.sin_alpha;
-            // Where numbers are subnormal there is no relative error to speak of.
-            let rounding = T::of(4.0) * T::EPSILON * (ends.lon + shift.abs()) + T::pick(1e-300, 1e-36);
+            let rounding = T::of(4.0) * T::EPSILON * (ends.lon + shift.abs()) + least;
             if residual.abs() <= rounding {
                 return (slope > T::ZERO).then_some((arc, series, evaluations));
             }

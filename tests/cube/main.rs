@@ -13,5 +13,8 @@ mod neighbours;
 mod numbering;
 mod range;
 mod sample;
+#[allow(dead_code)] // shared
+#[path = "../laws/scalar.rs"]
+mod scalar;
 mod symmetry;
 mod unfolded;
