@@ -50,6 +50,12 @@ impl Function {
         Self { calls, ..self }
     }
 
+    /// How often it is called for its hash.
+    #[must_use]
+    pub const fn number_of_calls(self) -> usize {
+        self.calls
+    }
+
     /// The hash of what the function gives for its fixed arguments.
     pub fn hash<I: Copy, O: Bits>(self, draw: impl Fn(&mut Arguments) -> I, call: impl Fn(I) -> O) -> u64 {
         let mut arguments = Arguments::with_limits();
