@@ -3,7 +3,7 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::math::{Polynomial, complex_polynomial};
+use crate::math::{Polynomial, complex_polynomial, remainder};
 
 pub(crate) mod sealed {
     pub trait Sealed {}
@@ -166,7 +166,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($float:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path, $log1p:path, $expm1:path, $log2:path) => {
+    ($float:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $log1p:path, $expm1:path, $log2:path) => {
         impl Real for $float {
             type Plain = Self;
 
@@ -295,7 +295,7 @@ macro_rules! real {
 
             #[inline]
             fn remainder(self, divisor: Self) -> Self {
-                $fmod(self, divisor)
+                remainder(self, divisor)
             }
 
             #[inline]
@@ -325,7 +325,6 @@ real!(
     6_755_399_441_055_744.0,
     0x2A9F_7893_0000_0000,
     libm::sqrt,
-    libm::fmod,
     libm::log1p,
     libm::expm1,
     libm::log2
@@ -335,8 +334,7 @@ real!(
     f32,
     12_582_912.0,
     0x2A51_2CE3,
-    libm::sqrtf,
-    libm::fmodf,
+    crate::math::sqrt_f32,
     libm::log1pf,
     libm::expm1f,
     libm::log2f

@@ -18,7 +18,10 @@ pub(crate) mod geodesic;
 pub(crate) mod latitude;
 mod minimax;
 mod polynomial;
+mod remainder;
 mod sin_cos;
+#[cfg(not(feature = "std"))]
+mod sqrt;
 mod tan;
 
 pub(crate) use atan::octant;
@@ -28,8 +31,11 @@ pub(crate) use complex::{Complex, complex_polynomial};
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::{halves, odd_unit};
+pub(crate) use remainder::remainder;
 pub use sin_cos::{sin_cos, sin_cos_degrees};
 pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_eighth, sin_cos_quarter, sin_cos_small};
+#[cfg(not(feature = "std"))]
+pub(crate) use sqrt::sqrt_f32;
 pub use tan::tan;
 
 use crate::Real;
