@@ -108,6 +108,17 @@ const ROUGH_ATAN: Polynomial<8, 6> = Polynomial {
     ],
 };
 
+/// ε/k² = 1/(1 + √(1 + k²))² by powers of k².
+const EPSILON: Polynomial<7, 7> = Polynomial::rounded([
+    1.0 / 4.0,
+    -1.0 / 8.0,
+    5.0 / 64.0,
+    -7.0 / 128.0,
+    21.0 / 512.0,
+    -33.0 / 1024.0,
+    429.0 / 16384.0,
+]);
+
 /// c₀ + c₁x + … of the first coefficients.
 #[inline(always)]
 fn series<T: Real>(x: T, coefficients: &[T], terms: usize) -> T {
@@ -120,20 +131,11 @@ impl<T: Real> Ordinary<T> {
         let (a3, c3) = series.low_orders();
         let ep2 = ellipsoid.ep2();
         let f = ellipsoid.f();
-        // ε = k²/(1 + √(1 + k²))² by powers of k² = e'² cos²α₀.
+        // k² = e'² cos²α₀.
         let mut power = T::ONE;
-        let epsilon = [
-            1.0 / 4.0,
-            -1.0 / 8.0,
-            5.0 / 64.0,
-            -7.0 / 128.0,
-            21.0 / 512.0,
-            -33.0 / 1024.0,
-            429.0 / 16384.0,
-        ]
-        .map(|c| {
+        let epsilon = T::all(&EPSILON).map(|c| {
             power *= ep2;
-            power * T::of(c)
+            power * c
         });
         Self {
             b: ellipsoid.b(),
@@ -581,18 +583,23 @@ fn sines<T: Real, const N: usize>(c: [T; N], terms: usize, square: T, (sin, cos)
     sin * b
 }
 
+/// (1/A₁ − 1)/ε by powers of ε.
+const INVERSE_A1: Polynomial<6, 6> =
+    Polynomial::rounded([-1.0, -1.0 / 4.0, 1.0 / 4.0, 3.0 / 64.0, -3.0 / 64.0, -3.0 / 256.0]);
+
+/// (A₁ − 1)/ε by powers of ε.
+const A1: Polynomial<6, 6> = Polynomial::rounded([1.0, 1.25, 1.25, 81.0 / 64.0, 81.0 / 64.0, 325.0 / 256.0]);
+
 /// 1/A₁ − 1.
 #[inline(always)]
 fn inverse_a1_less_1<T: Real>(epsilon: T) -> T {
-    let coefficients = [-1.0, -1.0 / 4.0, 1.0 / 4.0, 3.0 / 64.0, -3.0 / 64.0, -3.0 / 256.0].map(T::of);
-    epsilon * series(epsilon, &coefficients, T::terms(6, 3))
+    epsilon * series(epsilon, &T::all(&INVERSE_A1), T::terms(6, 3))
 }
 
 /// A₁ − 1 = (1 + ε²/4 + ε⁴/64 + ε⁶/256)/(1 − ε) − 1.
 #[cfg_attr(not(small), inline(always))]
 fn a1_less_1<T: Real>(epsilon: T) -> T {
-    let coefficients = [1.0, 1.25, 1.25, 81.0 / 64.0, 81.0 / 64.0, 325.0 / 256.0].map(T::of);
-    epsilon * series(epsilon, &coefficients, T::terms(6, 3))
+    epsilon * series(epsilon, &T::all(&A1), T::terms(6, 3))
 }
 
 /// Sine and cosine of an angle, given so, and a small one in radians, below 0.02.

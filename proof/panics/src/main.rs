@@ -28,7 +28,10 @@ impl Visitor for Link {
 #[cfg_attr(not(target_os = "none"), unsafe(export_name = "main"))]
 extern "C" fn start() -> i32 {
     let mut link = Link(Hash::default());
-    calls::every(&mut link);
+    if !cfg!(feature = "single") {
+        calls::every_in::<f64, _>(&mut link);
+    }
+    calls::every_in::<f32, _>(&mut link);
     #[cfg(feature = "planted")]
     black_box(terrella_is_fine(black_box(7)));
     link.0.value() as i32
