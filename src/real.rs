@@ -3,7 +3,7 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::math::{Polynomial, complex_polynomial};
+use crate::math::{Polynomial, complex_polynomial, remainder};
 
 pub(crate) mod sealed {
     pub trait Sealed {}
@@ -174,7 +174,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($float:ident, $bits:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path) => {
+    ($float:ident, $bits:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path) => {
         impl Real for $float {
             type Plain = Self;
 
@@ -333,7 +333,7 @@ macro_rules! real {
 
             #[inline]
             fn remainder(self, divisor: Self) -> Self {
-                $fmod(self, divisor)
+                remainder(self, divisor)
             }
         }
     };
@@ -348,7 +348,6 @@ real!(
     f64,
     6_755_399_441_055_744.0,
     0x2A9F_7893_0000_0000,
-    libm::sqrt,
-    libm::fmod
+    libm::sqrt
 );
-real!(f32, u32, f32, 12_582_912.0, 0x2A51_2CE3, libm::sqrtf, libm::fmodf);
+real!(f32, u32, f32, 12_582_912.0, 0x2A51_2CE3, crate::math::sqrt_f32);

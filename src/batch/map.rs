@@ -49,7 +49,7 @@ impl<T: Real> ProjectionTask for ProjectAll<'_, T> {
         let Self(shifted, mut places, sink) = self;
         let [correction, _] = shifted.corrections();
         if P::TAKES_PLACES {
-            with_correction!(&correction, turn => sweep(FromPlace(*turn, projection), places, sink));
+            with_correction!(&correction, turn => sweep(ProjectPlace(*turn, projection), places, sink));
             return;
         }
         let Faces { faces, mut points } = sink;
@@ -68,21 +68,21 @@ impl<T: Real> ProjectionTask for ProjectAll<'_, T> {
     }
 }
 
-struct FromPlace<C, P>(C, P);
+struct ProjectPlace<C, P>(C, P);
 
-impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 2, 3> for FromPlace<C, P> {
+impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 2, 3> for ProjectPlace<C, P> {
     #[inline(always)]
     fn apply(&self, [lat, lon]: [T; 2]) -> [T; 3] {
-        self.1.from_place(self.0.turn(sin_cos_degrees(lat)), lon)
+        self.1.project_place(self.0.turn(sin_cos_degrees(lat)), lon)
     }
 }
 
-struct ToPlace<C, P>(C, P);
+struct UnprojectPlace<C, P>(C, P);
 
-impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 3, 2> for ToPlace<C, P> {
+impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 3, 2> for UnprojectPlace<C, P> {
     #[inline(always)]
     fn apply(&self, point: [T; 3]) -> [T; 2] {
-        let (latitude, lon) = self.1.to_place(point);
+        let (latitude, lon) = self.1.unproject_place(point);
         let (sin, cos) = self.0.turn(latitude);
         [atan2_degrees(sin, cos), lon]
     }
@@ -126,7 +126,7 @@ impl<T: Real> ProjectionTask for UnprojectAll<'_, T> {
         let Self(shifted, source, mut places) = self;
         let [_, correction] = shifted.corrections();
         if P::TAKES_PLACES {
-            with_correction!(&correction, turn => sweep(ToPlace(*turn, projection), source, places));
+            with_correction!(&correction, turn => sweep(UnprojectPlace(*turn, projection), source, places));
             return;
         }
         let Faces { faces, mut points } = source;

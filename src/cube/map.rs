@@ -72,7 +72,7 @@ impl<T: Real> ProjectionTask for Project<'_, T> {
     fn run<P: CubeProjection>(self, projection: P) -> FacePoint<T> {
         let Self(shifted, position) = self;
         if P::TAKES_PLACES {
-            let [number, x, y] = projection.from_place(shifted.to_latitude(position.lat()), position.lon());
+            let [number, x, y] = projection.project_place(shifted.latitude(position.lat()), position.lon());
             FacePoint::within(Face::of_number(number), x, y)
         } else {
             projection.project(shifted.to_direction(position))
@@ -89,8 +89,9 @@ impl<T: Real> ProjectionTask for Unproject<'_, T> {
     fn run<P: CubeProjection>(self, projection: P) -> LatLon<T> {
         let Self(shifted, point) = self;
         if P::TAKES_PLACES {
-            let (latitude, lon) = projection.to_place([T::from_byte(point.face().index()), point.x(), point.y()]);
-            LatLon::within(shifted.from_latitude(latitude), lon)
+            let (latitude, lon) =
+                projection.unproject_place([T::from_byte(point.face().index()), point.x(), point.y()]);
+            LatLon::within(shifted.geodetic(latitude), lon)
         } else {
             shifted.to_lat_lon(projection.unproject(point))
         }

@@ -188,7 +188,7 @@ impl<T: Real> Ellipsoid<T> {
         // w in atanh(e)/e = 1 + e²w, for either sign of e².
         let w = if e2.abs() <= T::of(0.2) {
             let terms = (1..=T::terms(22, 9)).rev();
-            terms.fold(T::ZERO, |sum, k| sum * e2 + T::ONE / T::of(2.0 * k as f64 + 1.0))
+            terms.fold(T::ZERO, |sum, k| sum * e2 + T::ONE / T::whole(2 * k as u64 + 1))
         } else {
             let e = e2.abs().sqrt();
             let ratio = if self.f > T::ZERO {

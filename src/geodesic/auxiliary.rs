@@ -108,7 +108,7 @@ impl<T: Real> Ends<T> {
     }
 
     /// The azimuths at both ends in degrees, once the longitude on the sphere has grown by so much of sin σ.
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     pub fn azimuths_after(&self, arc: &Arc<T>, shift: T) -> (T, T) {
         let ((e1, n1), (e2, n2)) = (arc.course1, arc.course2);
         // Each end moves beside the line by the cosine of its latitude and azimuth.
@@ -122,7 +122,7 @@ impl<T: Real> Ends<T> {
         )
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     pub fn arc(&self, x: T) -> Arc<T> {
         let ((sin1, cos1), (sin2, cos2)) = (self.u1, self.u2);
         let (sin_x, cos_x) = sin_cos(x);

@@ -69,13 +69,13 @@ impl<T: Real> Shifted<T> {
 
     /// Sine and cosine of the sphere's latitude, of a geodetic one in degrees.
     #[inline]
-    pub(crate) fn to_latitude(&self, lat: T) -> (T, T) {
+    pub(crate) fn latitude(&self, lat: T) -> (T, T) {
         self.forward.turn(sin_cos_degrees(lat))
     }
 
     /// The geodetic latitude in degrees, of sine and cosine of the sphere's.
     #[inline]
-    pub(crate) fn from_latitude(&self, latitude: (T, T)) -> T {
+    pub(crate) fn geodetic(&self, latitude: (T, T)) -> T {
         let (sin, cos) = self.inverse.turn(latitude);
         atan2_degrees(sin, cos)
     }

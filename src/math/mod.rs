@@ -23,7 +23,10 @@ pub(crate) mod latitude;
 mod log2;
 mod minimax;
 mod polynomial;
+mod remainder;
 mod sin_cos;
+#[cfg(not(feature = "std"))]
+mod sqrt;
 mod tan;
 
 pub(crate) use atan::octant;
@@ -36,8 +39,11 @@ pub use log2::log2;
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_S, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::{halves, odd_unit};
+pub(crate) use remainder::remainder;
 pub use sin_cos::{sin_cos, sin_cos_degrees};
 pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_eighth, sin_cos_quarter, sin_cos_small};
+#[cfg(not(feature = "std"))]
+pub(crate) use sqrt::sqrt_f32;
 pub use tan::tan;
 
 use crate::Real;

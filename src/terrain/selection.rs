@@ -6,7 +6,7 @@ use super::{Camera, Enclosure, Heights, Horizon, InvalidTile, OrientedBox, Tile}
 use crate::Real;
 use crate::cube::{CubeProjection, Face};
 use crate::distortion::texture::anisotropic;
-use crate::math::min;
+use crate::math::{log2, min};
 
 /// How finely a picture wants its terrain.
 ///
@@ -150,7 +150,7 @@ impl<'a, T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Selection<'a,
             horizon: Horizon::new(enclosure.map().shifted().ellipsoid(), lowest, camera.eye()),
             detail,
             most: detail.ratio * (detail.samples * detail.samples),
-            coarsest: -(T::of(0.5) * detail.ratio.log2()),
+            coarsest: -(T::of(0.5) * log2(detail.ratio)),
             heights,
             next: Some(Tile::root(Face::Front)),
         }

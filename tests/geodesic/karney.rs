@@ -23,9 +23,10 @@ fn place<T: Scalar>(row: Row, lat: &str, lon: &str) -> LatLon<T> {
     LatLon::new(row.input(lat), row.input(lon)).unwrap()
 }
 
-/// |a − b| of two angles in degrees, in radians.
-fn turn(a: f64, b: f64) -> f64 {
-    ((a - b + 540.0).rem_euclid(360.0) - 180.0).abs().to_radians()
+/// |computed − truth| of an angle in degrees, in radians.
+fn turn<T: Scalar>(row: Row, column: &str, computed: T) -> f64 {
+    let error = row.error(column, computed);
+    error.min((360.0 - error).abs()).to_radians()
 }
 
 /// In `f32` an error may grow by 1.5e-7 of the distance before it counts.
@@ -57,14 +58,13 @@ fn inverse<T: Scalar>(name: &str) -> Inverse {
             let error = beyond_rounding::<T>(row.error("s12", way.distance), s12);
             worst.distance = worst.distance.max(error);
 
-            let azimuths = [way.azimuth1.into(), way.azimuth2.into()];
-            let [a1, a2] = ["azi1", "azi2"].map(|column| row.value(column));
-            let off = |a: [f64; 2]| turn(azimuths[0], a[0]).max(turn(azimuths[1], a[1])) * m12.min(s12);
+            let off = |one: T, other: T| turn(row, "azi1", one).max(turn(row, "azi2", other)) * m12.min(s12);
+            let (azimuth1, azimuth2) = (way.azimuth1, way.azimuth2);
             let error = match row.text("multi") {
-                "two_swap" => off([a1, a2]).min(off([a2, a1])),
-                "two_ew" => off([a1, a2]).min(off([-a1, -a2])),
+                "two_swap" => off(azimuth1, azimuth2).min(off(azimuth2, azimuth1)),
+                "two_ew" => off(azimuth1, azimuth2).min(off(-azimuth1, -azimuth2)),
                 "infinite" | "coincident" => 0.0,
-                _ => off([a1, a2]),
+                _ => off(azimuth1, azimuth2),
             };
             worst.azimuth = worst.azimuth.max(error);
         }
@@ -103,12 +103,7 @@ fn direct<T: Scalar>(name: &str) -> [f64; 2] {
                 "{there:?} {along:?}"
             );
             let north = rho * row.error("lat2", lat).to_radians();
-            let across = (row.value("lon2") - lon.into()).abs() > 180.0;
-            let east = if across {
-                turn(lon.into(), row.value("lon2"))
-            } else {
-                row.error("lon2", lon).to_radians()
-            };
+            let east = turn(row, "lon2", lon);
             let east = if row.text("multi") == "pole_end" {
                 0.0
             } else {

@@ -57,7 +57,7 @@ impl CubeProjection for Healpix {
     }
 
     #[inline(always)]
-    fn from_place<T: Real>(&self, (sin, cos): (T, T), lon: T) -> [T; 3] {
+    fn project_place<T: Real>(&self, (sin, cos): (T, T), lon: T) -> [T; 3] {
         let polar = is_cap(sin);
         let right_angle = T::of(90.0);
         let from_y = (lon.abs() - right_angle).abs();
@@ -83,7 +83,7 @@ impl CubeProjection for Healpix {
     }
 
     #[inline(always)]
-    fn to_place<T: Real>(&self, [number, x, y]: [T; 3]) -> ((T, T), T) {
+    fn unproject_place<T: Real>(&self, [number, x, y]: [T; 3]) -> ((T, T), T) {
         let (one, half) = (T::ONE, T::of(0.5));
         let polar = number > T::of(3.5);
         // As seen from the north.

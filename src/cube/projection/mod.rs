@@ -83,14 +83,14 @@ pub trait CubeProjection: Copy {
         FacePoint::within(face, x, y)
     }
 
-    /// Whether a latitude and a longitude are all that the projection asks for, by [`from_place`](Self::from_place) and
-    /// [`to_place`](Self::to_place), without a direction between.
+    /// Whether a latitude and a longitude are all that the projection asks for, by [`project_place`](Self::project_place) and
+    /// [`unproject_place`](Self::unproject_place), without a direction between.
     const TAKES_PLACES: bool = false;
 
     /// From sine and cosine of a latitude on the sphere, and a longitude in [−180, 180] degrees, to the face's number, x and y.
     #[must_use]
     #[inline(always)]
-    fn from_place<T: Real>(&self, latitude: (T, T), lon: T) -> [T; 3] {
+    fn project_place<T: Real>(&self, latitude: (T, T), lon: T) -> [T; 3] {
         let point = self.project(Direction::from_angles(latitude, sin_cos_degrees(lon)));
         [T::from_byte(point.face().index()), point.x(), point.y()]
     }
@@ -98,7 +98,7 @@ pub trait CubeProjection: Copy {
     /// From a face's number, x and y to sine and cosine of the latitude on the sphere, and the longitude in [−180, 180] degrees.
     #[must_use]
     #[inline(always)]
-    fn to_place<T: Real>(&self, [number, x, y]: [T; 3]) -> ((T, T), T) {
+    fn unproject_place<T: Real>(&self, [number, x, y]: [T; 3]) -> ((T, T), T) {
         let direction = self.unproject(FacePoint::within(Face::of_number(number), x, y));
         ((direction.z(), direction.cos_lat()), direction.lon())
     }
