@@ -4,7 +4,7 @@ use super::karney;
 use super::ordinary::Ordinary;
 use super::{Direct, Geodesic, GeodesicError, Inverse, Straight};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::{max, sin_cos};
+use crate::math::{max, select, sin_cos};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// Vincenty's formulas (1975), with longer series and with Newton's steps for his iteration: nothing is lost near the antipode.
@@ -177,7 +177,7 @@ impl<T: Real> Vincenty<T> {
     #[cold]
     #[inline(never)]
     fn hard_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        let ends = Ends::new(self.axes, from, to);
+        let ends = Ends::new(self.axes, without_dust(from), without_dust(to));
         let (arc, series, _) = self.solve(&ends).ok_or(GeodesicError::NotConverged(from, to))?;
         let (azimuth1, azimuth2) = arc.azimuths();
         Ok(Inverse {
@@ -218,6 +218,13 @@ impl<T: Real> Vincenty<T> {
             azimuth: end.azimuth,
         })
     }
+}
+
+/// Angles whose squares would be subnormal are 0: less than 10⁻⁹ m, and nothing that converges.
+fn without_dust<T: Real>(place: LatLon<T>) -> LatLon<T> {
+    let least = T::pick(1e-140, 1e-15);
+    let swept = |angle: T| select(angle.abs() < least, T::ZERO.copysign(angle), angle);
+    LatLon::within(swept(place.lat()), swept(place.lon()))
 }
 
 impl<T: Real> Geodesic<T> for Vincenty<T> {
