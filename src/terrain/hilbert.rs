@@ -21,6 +21,7 @@ use crate::cube::{Face, Numbering};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hilbert;
 
 impl Curve for Hilbert {}
