@@ -7,6 +7,7 @@
     clippy::indexing_slicing
 )] // tests
 
+mod areas;
 mod batch;
 mod bytes;
 mod doors;

@@ -11,7 +11,7 @@ use crate::table::{claim, claims_of};
 use crate::vector::{angle, apart, excess};
 use crate::{reference, vector};
 
-laws! { forward inverse round_trip forward_is_true inverse_is_true symmetries ellipsoid }
+laws! { forward inverse round_trip forward_is_true inverse_is_true symmetries ellipsoid grows }
 
 /// How far, in radians, a direction moves at most while x and y move by 1 each.
 const STEP: f64 = 1.8;
@@ -230,4 +230,40 @@ fn ellipsoid<T: Scalar>(bytes: &mut Bytes<'_>) {
         "{projection} {shift} {} {ellipsoid:?}: {place:?}, {point:?}, {back:?}: {moved:e} rad",
         T::NAME
     );
+}
+
+/// To the right of a point of the same row, x is greater, both ways; by a rounding it may fall back by 4 ulps of 1. Likewise y upward.
+/// (Healpix's rows are not those of the cube.)
+fn grows<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let projection = bytes.projection();
+    if projection == Projection::Healpix {
+        return;
+    }
+    let face = bytes.face();
+    let row = bytes.within::<T>(1.0);
+    let (a, b) = (bytes.within::<T>(1.0), bytes.within::<T>(1.0));
+    let (low, high) = if a < b { (a, b) } else { (b, a) };
+    let upward = bytes.flag();
+    let pair = |along: T| if upward { [row, along] } else { [along, row] };
+    let picked = |[x, y]: [T; 2]| if upward { y } else { x };
+    let forward = |along: T| {
+        let [u, v] = pair(along);
+        let [x, y, z] = face.to_earth([u, v, T::ONE]);
+        let unit = Direction::new(x, y, z).unwrap();
+        picked(projection.forward(face, face.to_local(unit.to_array())))
+    };
+    let inverse = |along: T| {
+        let [right, up, outward] = projection.inverse(face, pair(along));
+        picked([right / outward, up / outward])
+    };
+    for (way, [first, second]) in [
+        ("forward", [low, high].map(forward)),
+        ("inverse", [low, high].map(inverse)),
+    ] {
+        assert!(
+            second >= first || ulps(first, second) <= 4.0,
+            "{projection} {} {way}: {face:?} row {row:?}, {low:?} to {first:?}, {high:?} to {second:?}",
+            T::NAME
+        );
+    }
 }
