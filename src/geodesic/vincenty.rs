@@ -177,7 +177,7 @@ impl<T: Real> Vincenty<T> {
     #[cold]
     #[inline(never)]
     fn hard_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        let ends = Ends::new(self.axes, without_dust(from), without_dust(to));
+        let ends = Ends::new(self.axes, away_from_zero(from), away_from_zero(to));
         let (arc, series, _) = self.solve(&ends).ok_or(GeodesicError::NotConverged(from, to))?;
         let (azimuth1, azimuth2) = arc.azimuths();
         Ok(Inverse {
@@ -220,11 +220,12 @@ impl<T: Real> Vincenty<T> {
     }
 }
 
-/// Angles whose squares would be subnormal are 0: less than 10⁻⁹ m, and nothing that converges.
-fn without_dust<T: Real>(place: LatLon<T>) -> LatLon<T> {
+/// Angles other than 0 are at least so large that their squares are normal, which moves a place by less than 10⁻⁹ m: with smaller ones
+/// nothing converges.
+fn away_from_zero<T: Real>(place: LatLon<T>) -> LatLon<T> {
     let least = T::pick(1e-140, 1e-15);
-    let swept = |angle: T| select(angle.abs() < least, T::ZERO.copysign(angle), angle);
-    LatLon::within(swept(place.lat()), swept(place.lon()))
+    let raised = |angle: T| select(angle == T::ZERO, angle, max(angle.abs(), least).copysign(angle));
+    LatLon::within(raised(place.lat()), raised(place.lon()))
 }
 
 impl<T: Real> Geodesic<T> for Vincenty<T> {
