@@ -11,6 +11,7 @@ mod edges;
 mod faces;
 mod neighbours;
 mod numbering;
+mod places;
 mod range;
 mod sample;
 #[allow(dead_code)] // shared

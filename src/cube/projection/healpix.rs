@@ -8,6 +8,9 @@ use crate::{Direction, Real};
 ///
 /// Górski et al. (2005), arranged as in Dimitrijević, Lambers & Rančić (2016) §4.7; the polar triangles are centred on
 /// longitudes 0°, 90°, 180°, 270°. The side faces are Lambert's cylindrical equal-area projection.
+///
+/// On both kinds of face x or y is proportional to the longitude: from and to latitude and longitude it needs neither direction nor arc
+/// tangent of the longitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Healpix;

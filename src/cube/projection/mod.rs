@@ -83,11 +83,18 @@ pub trait CubeProjection: Copy {
         FacePoint::within(face, x, y)
     }
 
-    /// Whether a latitude and a longitude are all that the projection asks for, by [`project_place`](Self::project_place) and
-    /// [`unproject_place`](Self::unproject_place), without a direction between.
+    /// Whether a latitude and a longitude are all that the projection asks for: then a [`CubeMap`](super::CubeMap) goes by
+    /// [`project_place`](Self::project_place) and [`unproject_place`](Self::unproject_place), and not through directions.
     const TAKES_PLACES: bool = false;
 
     /// From sine and cosine of a latitude on the sphere, and a longitude in [−180, 180] degrees, to the face's number, x and y.
+    ///
+    /// ```
+    /// use terrella::cube::{CubeProjection, Face, Healpix};
+    /// let (sin, cos) = (0.6, 0.8);
+    /// let [number, x, y] = Healpix.project_place((sin, cos), 99.0);
+    /// assert_eq!((number, x, y), (f64::from(Face::Right.index()), 0.2, 1.5 * sin));
+    /// ```
     #[must_use]
     #[inline(always)]
     fn project_place<T: Real>(&self, latitude: (T, T), lon: T) -> [T; 3] {
@@ -96,6 +103,11 @@ pub trait CubeProjection: Copy {
     }
 
     /// From a face's number, x and y to sine and cosine of the latitude on the sphere, and the longitude in [−180, 180] degrees.
+    ///
+    /// ```
+    /// use terrella::cube::{CubeProjection, Healpix};
+    /// assert_eq!(Healpix.unproject_place([1.0, 0.2, 0.0]), ((0.0, 1.0), 99.0));
+    /// ```
     #[must_use]
     #[inline(always)]
     fn unproject_place<T: Real>(&self, [number, x, y]: [T; 3]) -> ((T, T), T) {
