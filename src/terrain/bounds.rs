@@ -30,7 +30,7 @@ use crate::math::{max, min, select};
 ///
 /// What rounding may do, 16 ulps of the planet's radius, is added.
 ///
-/// On the Earth a tile's box is wider than the tile by at most 2 % where edges are nearly straight, 7 % in the quadrilateralized, vertex and
+/// On the Earth a tile's box is wider than the tile by at most 3 % where edges are nearly straight, 7 % in the quadrilateralized, vertex and
 /// conformal cubes and 16 % in HEALPix's, where they bend; at levels 0 to 2 by 10 %, at HEALPix's level 0 by 26 %.
 ///
 /// ```

@@ -15,7 +15,7 @@ use crate::{Ecef, Ellipsoid, Real};
 ///
 /// What is hidden is a convex set, and with a point all that is behind it. A point inside the planet is hidden if it is beyond the plane of the
 /// horizon; on the near side it counts as seen, like the ground above it. From inside nothing is hidden. Rounding is
-/// allowed for: it hides nothing that is seen, at the price of 5 ulps of the planet's radius in the eye's height.
+/// allowed for: it hides nothing that is seen, as if the eye were higher by up to 4 ulps of the planet's radius.
 ///
 /// ```
 /// use terrella::terrain::Horizon;
