@@ -7,7 +7,7 @@ use crate::math::min;
 /// The corners of a [`Patch`](super::Patch) from a camera, in metres in Earth axes: what single precision needs of a tile for a frame.
 ///
 /// A vertex is P′ + o + h·n, where P′ is interpolated between the corners. Rounding is at most 4·10⁻⁷ of the farthest
-/// corner's distance, which is below 10⁻⁶ of the vertex's own where the tile's diagonal is at most as long as that. Tiles that share an edge and a level have the same bits along it, on
+/// corner's distance and the height, which is below 10⁻⁶ of the vertex's own where the tile's diagonal is at most as long as that. Tiles that share an edge and a level have the same bits along it, on
 /// whichever faces they are.
 ///
 /// For a shader: weights are products of m/c and (c − m)/c, n/c and (c − n)/c with c = `samples` − 1; P′ is the sum of two sums, each of two

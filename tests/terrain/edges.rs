@@ -30,8 +30,8 @@ fn at_corner(corner: Corner, last: u32) -> [u32; 2] {
 /// Whether the places along an edge run the other way beyond it.
 fn backward(edge: Edge, turns: u8) -> bool {
     match edge {
-        Edge::Up | Edge::Down => turns == 1 || turns == 2,
-        Edge::Right | Edge::Left => turns >= 2,
+        Edge::Right | Edge::Left => turns == 1 || turns == 2,
+        Edge::Up | Edge::Down => turns >= 2,
     }
 }
 
