@@ -47,7 +47,7 @@ pub mod map;
 pub mod position;
 mod widest;
 
-pub(crate) use block::{BLOCK, Kernel, sweep};
+pub(crate) use block::{BLOCK, CHUNK, Kernel, Sink, front, store, sweep};
 pub(crate) use widest::{Pass, widest};
 
 /// Why a batch was refused; nothing was written.

@@ -1,6 +1,8 @@
 use core::fmt;
 
-use crate::Real;
+use crate::latitude::Turn;
+use crate::math::{sin_cos_degrees, sin_cos_small};
+use crate::{Enu, LatLon, Real, Shifted};
 
 /// The heights of a piece of terrain above the ellipsoid: the lowest and the highest, in metres.
 ///
@@ -64,3 +66,34 @@ impl<T: fmt::Debug> fmt::Display for InvalidHeights<T> {
 }
 
 impl<T: fmt::Debug> core::error::Error for InvalidHeights<T> {}
+
+/// What it costs to read a height along the sphere's normal in place of the ellipsoid's: from where the height should be to where it then is, in metres in the axes of
+/// the place.
+///
+/// The sphere's normal at a place is the direction that the map's shift gives it, of latitude ξ, and the ellipsoid's has the geodetic latitude φ: the height h goes
+/// h·sin(φ − ξ) toward the equator and h·(1 − cos(φ − ξ)) down (Lambers & Kolb 2012, Fig. 7, for the geocentric latitude). On the Earth it is
+/// up to 0.34 % of the height with the geocentric latitude, 0.22 % with the authalic one, and nothing with the geodetic one. Within 3 ulps of the larger part.
+///
+/// ```
+/// use terrella::terrain::lean;
+/// use terrella::{Ellipsoid, LatLon, Shift, Shifted};
+///
+/// let (everest, place) = (8848.0_f64, LatLon::new(27.988, 86.925)?);
+/// let earth = Shifted::new(Ellipsoid::wgs84(), Shift::Geocentric)?;
+/// let lean = lean(&earth, place, everest);
+/// assert_eq!(format!("{:.2} {:.2} {:.3}", lean.east, lean.north, lean.up), "0.00 -24.63 -0.034");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+#[inline]
+pub fn lean<T: Real>(shifted: &Shifted<T>, position: LatLon<T>, height: T) -> Enu<T> {
+    let [to_sphere, _] = shifted.corrections();
+    let (sin, cos) = sin_cos_degrees(position.lat());
+    let (sine, cosine) = sin_cos_small(to_sphere.angle((T::of(2.0) * sin * cos, (cos - sin) * (cos + sin))));
+    Enu {
+        east: T::ZERO,
+        north: height * sine,
+        // 1 − cos without the difference.
+        up: -(height * (sine * sine / (T::ONE + cosine))),
+    }
+}

@@ -24,8 +24,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bilinear;
 mod bounds;
 mod camera;
+mod flatness;
 mod footprint;
 mod heights;
 mod hilbert;
@@ -33,19 +35,30 @@ mod horizon;
 mod key;
 mod morton;
 mod neighbour;
+mod patch;
 mod selection;
+mod series;
+mod split;
+mod symmetry;
 mod tile;
 mod vector;
+mod vertices;
 mod volume;
 
 pub use bounds::Enclosure;
 pub use camera::{Camera, InvalidCamera};
-pub use heights::{Heights, InvalidHeights};
+pub use flatness::Flatness;
+pub use heights::{Heights, InvalidHeights, lean};
 pub use hilbert::Hilbert;
 pub use horizon::Horizon;
 pub use key::{Curve, InvalidKey, InvalidToken, Key};
 pub use morton::Morton;
 pub use neighbour::{Adjacent, Along, Around, Diagonal};
+pub use patch::{InvalidPatch, Patch, Patches};
 pub use selection::{Detail, InvalidDetail, Selection};
+pub use series::Series;
+pub use split::Split;
+pub use symmetry::Symmetry;
 pub use tile::{InvalidPlace, InvalidTile, Tile};
+pub use vertices::Vertices;
 pub use volume::{BoundingSphere, OrientedBox};

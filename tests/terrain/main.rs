@@ -8,9 +8,13 @@
 )] // a test may fail loudly
 
 mod bounds;
+mod edges;
+mod heights;
 mod horizon;
 mod keys;
 mod neighbours;
+mod patch;
+mod relative;
 mod sample;
 mod selection;
 mod tile;

@@ -1,0 +1,400 @@
+use core::fmt;
+
+use super::bilinear::{blend, weights};
+use super::vector::difference;
+use super::{Tile, Vertices};
+use crate::batch::{CHUNK, Kernel, Sink, front, store, sweep};
+use crate::cube::{Corner, CubeMap, CubeProjection, Edge, FacePoint, ProjectionTask};
+use crate::latitude::{Turn, normal, with_correction};
+use crate::{Direction, Ecef, Ellipsoid, Real, Shifted};
+
+/// The most samples along an edge of a patch.
+const MOST: u32 = 4097;
+
+/// Tiles as patches of an ellipsoid, for a renderer that works in single precision (Lambers & Kolb 2012, section 4).
+///
+/// Once per tile: its corners in double precision, and for each sample of a grid the displacement of the ground from the bilinear
+/// patch between the corners, and the ellipsoid's normal, in single precision ([`fill`](Self::fill)). Once per frame: the
+/// corners less the camera, subtracted in double and rounded to single precision ([`Patch::seen_from`]); each vertex is then
+/// P′ + o + h·n in single precision ([`Vertices`]).
+///
+/// ```
+/// use terrella::cube::{CubeMap, Face, Quadrilateralized};
+/// use terrella::terrain::{Patches, Tile};
+/// use terrella::{Ellipsoid, Shift};
+///
+/// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
+/// let tile = Tile::new(Face::Front, 8, 130, 140)?;
+/// let (mut ox, mut oy, mut oz) = ([0.0; 81], [0.0; 81], [0.0; 81]);
+/// let (mut nx, mut ny, mut nz) = ([0.0; 81], [0.0; 81], [0.0; 81]);
+/// let patch = patches.fill(tile, 9, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])?;
+/// // In the middle of this tile of 39 km the ground bulges by 60 m, mostly toward x.
+/// assert!((ox[40] - 59.0).abs() < 1.0 && (nx[40] - 0.99).abs() < 0.01);
+/// // In the corners there is nothing left.
+/// assert_eq!((ox[0], oy[8], oz[80]), (0.0, 0.0, 0.0));
+/// # let _ = patch;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Patches<P> {
+    map: CubeMap<f64, P>,
+}
+
+impl<P: CubeProjection> Patches<P> {
+    /// Of the tiles of a cube map.
+    #[must_use]
+    pub const fn new(map: CubeMap<f64, P>) -> Self {
+        Self { map }
+    }
+
+    /// The cube map.
+    #[must_use]
+    pub fn map(&self) -> CubeMap<f64, P> {
+        self.map
+    }
+
+    /// The corners of a tile: all that is needed of it from the level of [`plain_level`](Self::plain_level) on.
+    #[must_use]
+    pub fn of(&self, tile: Tile) -> Patch {
+        let ends = Corner::ALL.map(|corner| {
+            let right = matches!(corner, Corner::UpRight | Corner::DownRight);
+            let up = matches!(corner, Corner::UpRight | Corner::UpLeft);
+            self.ground(shared(tile, [right.into(), up.into()], 1))
+        });
+        Patch {
+            corners: ends.map(|[foot, _]| foot),
+            normals: ends.map(|[_, normal]| normal.map(narrow)),
+        }
+    }
+
+    /// The corners of a tile, and for each of `samples` × `samples` places, in rows from below, edges included: the displacement from the bilinear
+    /// patch between the corners in metres and the ellipsoid's outward normal, both in Earth axes, each into three slices for x, y and z.
+    ///
+    /// Displacements are rounded from values within 4 nm (on the Earth), normals from values within 4·10⁻¹⁶. Along an edge that two tiles of a
+    /// level share, both have the same bits, on whichever faces they are: what lies on the edge of a face is computed on
+    /// the face of the smallest number.
+    ///
+    /// # Errors
+    /// [`InvalidPatch`] for less than 2 samples or more than 4097, and for a slice that is not of `samples`² elements; nothing is written then.
+    pub fn fill(
+        &self,
+        tile: Tile,
+        samples: u32,
+        displacements: [&mut [f32]; 3],
+        normals: [&mut [f32]; 3],
+    ) -> Result<Patch, InvalidPatch> {
+        let [ox, oy, oz] = displacements;
+        let [nx, ny, nz] = normals;
+        let mut columns = [ox, oy, oz, nx, ny, nz];
+        samples_and_length(samples, &columns.each_ref().map(|column| column.len()))?;
+        let patch = self.of(tile);
+        self.map.projection().with(Fill {
+            shifted: self.map.shifted(),
+            tile,
+            corners: patch.corners,
+            samples,
+            columns: columns.each_mut().map(|column| &mut **column),
+        });
+        self.mend(tile, samples, patch.corners, &mut columns);
+        Ok(patch)
+    }
+
+    /// Samples on the edges of a face, from the face that has them.
+    fn mend(&self, tile: Tile, samples: u32, corners: [[f64; 3]; 4], columns: &mut [&mut [f32]; 6]) {
+        let last = samples - 1;
+        for edge in Edge::ALL {
+            if tile.neighbour(edge).tile.face() >= tile.face() {
+                continue;
+            }
+            for along in 0..samples {
+                let [m, n] = match edge {
+                    Edge::Right => [last, along],
+                    Edge::Up => [along, last],
+                    Edge::Left => [0, along],
+                    Edge::Down => [along, 0],
+                };
+                let ground = self.ground(shared(tile, [m, n], last));
+                let sample = sample(ground, corners, [m.into(), n.into()], last.into());
+                let index = n as usize * samples as usize + m as usize;
+                for (column, value) in columns.iter_mut().zip(sample) {
+                    if let Some(slot) = column.get_mut(index) {
+                        *slot = narrow(value);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The ground in metres, and its normal.
+    #[inline(always)]
+    pub(super) fn ground(&self, point: FacePoint<f64>) -> [[f64; 3]; 2] {
+        let shifted = self.map.shifted();
+        let normal = shifted.normal(self.map.projection().unproject(point));
+        [shifted.ellipsoid().foot(normal), normal.to_array()]
+    }
+}
+
+/// A tile's corners: from [`Patches::of`] and [`Patches::fill`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Patch {
+    corners: [[f64; 3]; 4],
+    normals: [[f32; 3]; 4],
+}
+
+impl Patch {
+    /// The corners in metres in Earth axes, counter-clockwise from the one of largest x and y, as [`Corner::ALL`].
+    #[must_use]
+    pub fn corners(&self) -> [Ecef<f64>; 4] {
+        self.corners.map(|[x, y, z]| Ecef::within(x, y, z))
+    }
+
+    /// The ellipsoid's outward normals in the corners, in Earth axes.
+    #[must_use]
+    pub const fn normals(&self) -> [[f32; 3]; 4] {
+        self.normals
+    }
+
+    /// The corners from a camera: subtracted in double precision, then rounded.
+    #[must_use]
+    #[inline]
+    pub fn seen_from(&self, camera: Ecef<f64>) -> Vertices {
+        Vertices {
+            corners: self
+                .corners
+                .map(|corner| difference(corner, camera.to_array()).map(narrow)),
+        }
+    }
+}
+
+/// In single precision; a zero is positive, since two tiles may have zeros of different signs.
+#[inline(always)]
+pub(super) fn narrow(value: f64) -> f32 {
+    value as f32 + 0.0
+}
+
+/// A node of a tile's grid, as the face of the smallest number names it.
+fn shared(tile: Tile, [m, n]: [u32; 2], count: u32) -> FacePoint<f64> {
+    let last = tile.last();
+    let mut first = (tile, [m, n]);
+    for edge in Edge::ALL {
+        // Laid flat beside this tile, the place has these coordinates in the next one.
+        let (on_edge, mut place) = match edge {
+            Edge::Right => (tile.i() == last && m == count, [0, n]),
+            Edge::Up => (tile.j() == last && n == count, [m, 0]),
+            Edge::Left => (tile.i() == 0 && m == 0, [count, n]),
+            Edge::Down => (tile.j() == 0 && n == 0, [m, count]),
+        };
+        let beyond = tile.neighbour(edge);
+        if on_edge && beyond.tile.face() < first.0.face() {
+            for _ in 0..beyond.turns {
+                place = [count - place[1], place[0]];
+            }
+            first = (beyond.tile, place);
+        }
+    }
+    first.0.node(first.1, count)
+}
+
+/// Displacement and normal of a place.
+#[inline(always)]
+pub(super) fn sample([foot, normal]: [[f64; 3]; 2], corners: [[f64; 3]; 4], place: [f64; 2], last: f64) -> [f64; 6] {
+    let [x, y, z] = difference(foot, blend(corners, weights(place, last)));
+    let [nx, ny, nz] = normal;
+    [x, y, z, nx, ny, nz]
+}
+
+/// The samples of a tile by a known projection, a part at a time.
+struct Fill<'a> {
+    shifted: Shifted<f64>,
+    tile: Tile,
+    corners: [[f64; 3]; 4],
+    samples: u32,
+    columns: [&'a mut [f32]; 6],
+}
+
+impl ProjectionTask for Fill<'_> {
+    type Output = ();
+
+    fn run<P: CubeProjection>(mut self, projection: P) {
+        let [_, correction] = self.shifted.corrections();
+        let mut directions = [[0.0; CHUNK]; 3];
+        let to_direction = ToDirection::new(projection, self.tile, self.samples - 1);
+        let mut places = Places::new(self.samples);
+        while let Some(places) = places.next::<f64>() {
+            let [m, n] = places.columns();
+            let here = m.len();
+            let [x, y, z] = &mut directions;
+            let known = [x, y, z].map(|column| column.get_mut(..here).unwrap_or_default());
+            sweep(to_direction, [m, n], known);
+            let [x, y, z] = directions
+                .each_ref()
+                .map(|column| column.get(..here).unwrap_or_default());
+            let sink = Narrow(front(&mut self.columns, here));
+            with_correction!(&correction, turn => {
+                let kernel = ToSample {
+                    ellipsoid: self.shifted.ellipsoid(),
+                    turn: *turn,
+                    corners: self.corners,
+                    last: f64::from(self.samples - 1),
+                };
+                sweep(kernel, [m, n, x, y, z], sink);
+            });
+        }
+    }
+}
+
+/// Column and row to the direction.
+#[derive(Clone, Copy)]
+struct ToDirection<P> {
+    projection: P,
+    tile: Tile,
+    low: [f64; 2],
+    across: f64,
+}
+
+impl<P> ToDirection<P> {
+    /// Whole numbers below 2⁵³: x is one division, as [`Tile::node`] has it.
+    fn new(projection: P, tile: Tile, count: u32) -> Self {
+        let across = f64::from(count) * f64::from(1_u32 << tile.level());
+        let low = [tile.i(), tile.j()].map(|index| 2.0 * f64::from(index) * f64::from(count) - across);
+        Self {
+            projection,
+            tile,
+            low,
+            across,
+        }
+    }
+}
+
+impl<P: CubeProjection> Kernel<f64, 2, 3> for ToDirection<P> {
+    #[inline(always)]
+    fn apply(&self, [m, n]: [f64; 2]) -> [f64; 3] {
+        let [x, y] = self.low;
+        let point = [(x + 2.0 * m) / self.across, (y + 2.0 * n) / self.across];
+        let face = self.tile.face();
+        face.to_earth(self.projection.inverse(face, point))
+    }
+}
+
+/// That, and the direction, to displacement and normal.
+struct ToSample<C> {
+    ellipsoid: Ellipsoid<f64>,
+    turn: C,
+    corners: [[f64; 3]; 4],
+    last: f64,
+}
+
+impl<C: Turn<f64>> Kernel<f64, 5, 6> for ToSample<C> {
+    #[inline(always)]
+    fn apply(&self, [m, n, x, y, z]: [f64; 5]) -> [f64; 6] {
+        let normal = normal(&self.turn, Direction::within(x, y, z));
+        let ground = [self.ellipsoid.foot(normal), normal.to_array()];
+        sample(ground, self.corners, [m, n], self.last)
+    }
+}
+
+/// Results in single precision.
+struct Narrow<'a>([&'a mut [f32]; 6]);
+
+impl Sink<f64, 6> for Narrow<'_> {
+    #[inline(always)]
+    fn store(&mut self, block: &[[f64; crate::batch::BLOCK]; 6]) {
+        for (column, block) in self.0.iter_mut().zip(block) {
+            let mut rounded = [0.0; crate::batch::BLOCK];
+            for (slot, value) in rounded.iter_mut().zip(block) {
+                *slot = narrow(*value);
+            }
+            store(column, &rounded);
+        }
+    }
+}
+
+/// The columns and rows of a grid, a part at a time.
+pub(super) struct Places {
+    samples: u32,
+    next: [u32; 2],
+}
+
+/// A part of them, as numbers.
+pub(super) struct Part<T> {
+    places: [[T; CHUNK]; 2],
+    length: usize,
+}
+
+impl<T> Part<T> {
+    #[inline(always)]
+    pub(super) fn columns(&self) -> [&[T]; 2] {
+        self.places
+            .each_ref()
+            .map(|column| column.get(..self.length).unwrap_or_default())
+    }
+}
+
+impl Places {
+    pub(super) const fn new(samples: u32) -> Self {
+        Self { samples, next: [0; 2] }
+    }
+
+    #[inline(always)]
+    pub(super) fn next<T: Real>(&mut self) -> Option<Part<T>> {
+        let mut part = Part {
+            places: [[T::ZERO; CHUNK]; 2],
+            length: 0,
+        };
+        let [ms, ns] = &mut part.places;
+        let [mut m, mut n] = self.next;
+        for (column, row) in ms.iter_mut().zip(ns) {
+            if n == self.samples {
+                break;
+            }
+            (*column, *row) = (T::whole(m.into()), T::whole(n.into()));
+            part.length += 1;
+            m += 1;
+            if m == self.samples {
+                (m, n) = (0, n + 1);
+            }
+        }
+        self.next = [m, n];
+        (part.length > 0).then_some(part)
+    }
+}
+
+/// Whether a grid of so many samples is one, and all slices have as many elements as it has places.
+pub(super) fn samples_and_length(samples: u32, lengths: &[usize]) -> Result<(), InvalidPatch> {
+    if !(2..=MOST).contains(&samples) {
+        return Err(InvalidPatch::Samples(samples));
+    }
+    let expected = samples as usize * samples as usize;
+    match lengths.iter().find(|&&length| length != expected) {
+        Some(&length) => Err(InvalidPatch::Length { expected, length }),
+        None => Ok(()),
+    }
+}
+
+/// Why a patch was refused; nothing was written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum InvalidPatch {
+    /// The number of samples along an edge is not in 2 to 4097.
+    Samples(u32),
+    /// A slice has not as many elements as there are samples.
+    Length {
+        /// The square of the number along an edge.
+        expected: usize,
+        /// The length of the first slice that is different.
+        length: usize,
+    },
+}
+
+impl fmt::Display for InvalidPatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Samples(samples) => write!(f, "{samples} samples along an edge are not in 2 to {MOST}"),
+            Self::Length { expected, length } => write!(f, "a slice of {length} elements for {expected} samples"),
+        }
+    }
+}
+
+impl core::error::Error for InvalidPatch {}

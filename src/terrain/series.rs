@@ -1,0 +1,166 @@
+use super::flatness::witnesses;
+use super::patch::narrow;
+use super::vector::{along, difference, dot};
+use super::{Patches, Tile};
+use crate::cube::CubeProjection;
+use crate::distortion::Singular;
+use crate::math::{max, select};
+use crate::{Direction, Dual, Ecef, Real};
+
+/// First and second derivatives by two variables.
+type Second = Dual<Dual<f64, 2>, 2>;
+
+/// The ground of a tile as a Taylor series of the second order about its middle: another way to vertices in single precision, without a grid in memory.
+///
+/// From derivatives in double precision to coefficients in single precision. A vertex from the camera is [`origin`](Self::origin), once per
+/// frame, plus [`offset`](Self::offset) and, where there is terrain, h·n. It meets the next tile only as far as the series holds:
+/// [`Patches::truncation`] bounds what it leaves out, and edges may part by twice that.
+///
+/// ```
+/// use terrella::cube::{Balanced, CubeMap, Face};
+/// use terrella::terrain::{Patches, Tile};
+/// use terrella::{Ecef, Ellipsoid, Shift};
+///
+/// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Balanced)?);
+/// let tile = Tile::new(Face::Front, 12, 2100, 2200)?;
+/// assert!(patches.truncation(12) < 1e-3);
+/// let series = patches.series(tile)?;
+/// let camera = Ecef::new(6_378_337.0, 0.0, 0.0)?;
+/// let (origin, offset) = (series.origin(camera), series.offset([1.0, 1.0]));
+/// let corner = patches.of(tile).seen_from(camera).corners()[0];
+/// for k in 0..3 {
+///     assert!((origin[k] + offset[k] - corner[k]).abs() < 0.05);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Series {
+    anchor: [f64; 3],
+    /// Of u, v, u², uv, v².
+    coefficients: [[f32; 3]; 5],
+}
+
+impl Series {
+    /// The middle of the tile on the ellipsoid in metres, in Earth axes.
+    #[must_use]
+    pub fn anchor(&self) -> Ecef<f64> {
+        let [x, y, z] = self.anchor;
+        Ecef::within(x, y, z)
+    }
+
+    /// The coefficients of u, v, u², uv and v² in metres, for a shader that does what [`offset`](Self::offset) does.
+    #[must_use]
+    pub const fn coefficients(&self) -> [[f32; 3]; 5] {
+        self.coefficients
+    }
+
+    /// The middle of the tile from a camera in metres: subtracted in double precision, then rounded.
+    #[must_use]
+    #[inline]
+    pub fn origin(&self, camera: Ecef<f64>) -> [f32; 3] {
+        difference(self.anchor, camera.to_array()).map(narrow)
+    }
+
+    /// The ground from the middle of the tile in metres, at (u, v) = (2s − 1, 2t − 1) in [−1, 1]².
+    ///
+    /// Within [`Patches::truncation`] and 3·10⁻⁷ of the way.
+    #[must_use]
+    #[inline(always)]
+    pub fn offset(&self, place: [f32; 2]) -> [f32; 3] {
+        evaluate(self.coefficients, place)
+    }
+}
+
+/// u(a + u·aa) + v(b + u·ab + v·bb).
+#[inline(always)]
+fn evaluate<T: Real>([a, b, aa, ab, bb]: [[T; 3]; 5], [u, v]: [T; 2]) -> [T; 3] {
+    let of_u = along(a, u, aa).map(|w| u * w);
+    along(of_u, v, along(along(b, u, ab), v, bb))
+}
+
+impl<P: CubeProjection> Patches<P> {
+    /// The series of a tile.
+    ///
+    /// # Errors
+    /// [`Singular`] if the projection has no derivatives in the tile's middle: at level 0 those of the faces' centres that are the tip of a cone.
+    pub fn series(&self, tile: Tile) -> Result<Series, Singular<f64>> {
+        let (anchor, coefficients) = self.expansion(tile);
+        if coefficients.as_flattened().iter().all(|c| c.is_finite()) {
+            Ok(Series {
+                anchor,
+                coefficients: coefficients.map(|vector| vector.map(narrow)),
+            })
+        } else {
+            Err(Singular(tile.centre()))
+        }
+    }
+
+    /// How far the series of any tile of a level is from the ground, in metres, rounding aside; infinite where a tile has none. A level above 30 is taken for 30.
+    ///
+    /// What is left out is of the third order: it falls by eight from level to level, until rounding (4 ulps of the planet's radius, which are added) is more; across a
+    /// crease, and in the conformal cube's corners, as [`flatness`](Self::flatness) does. As there, it is the largest in the same tiles, in 16 places along their edges, and a quarter more. It takes a few
+    /// milliseconds.
+    ///
+    /// ```
+    /// use terrella::cube::{CubeMap, Adjusted};
+    /// use terrella::terrain::Patches;
+    /// use terrella::{Ellipsoid, Shift};
+    ///
+    /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Adjusted)?);
+    /// let [coarse, fine] = [8, 9].map(|level| patches.truncation(level));
+    /// assert!((coarse / fine - 8.0).abs() < 0.3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn truncation(&self, level: u8) -> f64 {
+        const PARTS: u32 = 4;
+        let mut most = 0.0;
+        for tile in witnesses(level) {
+            let (anchor, coefficients) = self.expansion(tile);
+            for n in 0..=PARTS {
+                for m in 0..=PARTS {
+                    if !(n.is_multiple_of(PARTS) || m.is_multiple_of(PARTS)) {
+                        continue;
+                    }
+                    let [foot, _] = self.ground(tile.node([m, n], PARTS));
+                    let place = [m, n].map(|index| f64::from(2 * index) / f64::from(PARTS) - 1.0);
+                    let apart = difference(difference(foot, anchor), evaluate(coefficients, place));
+                    let square = dot(apart, apart);
+                    most = max(most, select(square.is_finite(), square, f64::INFINITY));
+                }
+            }
+        }
+        1.25 * most.sqrt() + 4.0 * f64::EPSILON * self.map().shifted().ellipsoid().a()
+    }
+
+    /// The middle of a tile, and the coefficients of its series.
+    fn expansion(&self, tile: Tile) -> ([f64; 3], [[f64; 3]; 5]) {
+        let middle = tile.centre::<f64>();
+        let shifted = self.map().shifted().lifted::<2>().lifted::<2>();
+        let point: [Second; 2] = Dual::variables(Dual::variables([middle.x(), middle.y()]));
+        let [x, y, z] = tile
+            .face()
+            .to_earth(self.map().projection().inverse(tile.face(), point));
+        let foot = shifted.ellipsoid().foot(shifted.normal(Direction::within(x, y, z)));
+
+        let half = 1.0 / f64::from(1_u32 << tile.level());
+        let square = half * half;
+        let [x, y, z] = foot.map(|component| {
+            let [by_x, by_y] = component.slopes();
+            let ([xx, xy], [_, yy]) = (by_x.slopes(), by_y.slopes());
+            [
+                half * by_x.value(),
+                half * by_y.value(),
+                0.5 * square * xx,
+                square * xy,
+                0.5 * square * yy,
+            ]
+        });
+        let mut coefficients = [[0.0; 3]; 5];
+        for (((vector, x), y), z) in coefficients.iter_mut().zip(x).zip(y).zip(z) {
+            *vector = [x, y, z];
+        }
+        (foot.map(Real::plain), coefficients)
+    }
+}

@@ -1,0 +1,145 @@
+use super::patch::samples_and_length;
+use super::{InvalidPatch, Tile};
+use crate::cube::Face;
+use crate::math::select;
+
+/// How a tile's patch comes from that of another tile: from [`Tile::representative`].
+///
+/// An ellipsoid of revolution on a cube about its axis keeps its shape under quarter turns about the axis and in the mirrors of the equator and of
+/// the meridians: 16 symmetries of tiles, of which eight leave a polar face where it is and four a side face. They exchange and negate components, so
+/// that displacements and normals come over without rounding: in every bit what [`Patches::fill`](super::Patches::fill) would say, but in
+/// the conformal cube, which is itself symmetrical only to 2 ulps and where displacements are within 6 nm and an ulp.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Symmetry {
+    from: Face,
+    to: Face,
+    /// First, in the frame of the face, x and y are exchanged …
+    swapped: bool,
+    /// … then they are negated.
+    mirrored: [bool; 2],
+}
+
+impl Tile {
+    /// The tile that stands for this one among those of which an ellipsoid's symmetries make all others, and how: on the front or the top, in
+    /// the quarter where x and y are positive, and on the top where x ≥ y.
+    ///
+    /// ```
+    /// use terrella::cube::Face;
+    /// use terrella::terrain::Tile;
+    /// let (representative, symmetry) = Tile::new(Face::Bottom, 3, 4, 0)?.representative();
+    /// assert_eq!(representative, Tile::new(Face::Top, 3, 7, 4)?);
+    /// // Beside column 0 of row 0 of a grid of 5 × 5 on the bottom lies
+    /// assert_eq!(symmetry.place([0, 0], 5), [4, 0]);
+    /// # Ok::<(), terrella::terrain::InvalidTile>(())
+    /// ```
+    #[must_use]
+    pub const fn representative(self) -> (Self, Symmetry) {
+        let (last, half) = (self.last(), (1 << self.level) / 2);
+        let mirrored = [self.i < half, self.j < half];
+        let i = if mirrored[0] { last - self.i } else { self.i };
+        let j = if mirrored[1] { last - self.j } else { self.j };
+        let polar = self.face.is_polar();
+        let swapped = polar && j > i;
+        let face = if polar { Face::Top } else { Face::Front };
+        let (i, j) = if swapped { (j, i) } else { (i, j) };
+        let symmetry = Symmetry {
+            from: face,
+            to: self.face,
+            swapped,
+            mirrored,
+        };
+        (Self::within(face, self.level, i, j), symmetry)
+    }
+
+    /// How many tiles of a level are their own representatives: 2 of 6, then (3k² + k)/2 of 24k² with k = 2^(level − 1).
+    ///
+    /// ```
+    /// use terrella::terrain::Tile;
+    /// assert_eq!([0, 1, 2, 3, 10].map(Tile::distinct), [2, 2, 7, 26, 393_472]);
+    /// ```
+    #[must_use]
+    pub const fn distinct(level: u8) -> u64 {
+        if level == 0 {
+            return 2;
+        }
+        let level = if level > Self::MAX_LEVEL {
+            Self::MAX_LEVEL
+        } else {
+            level
+        };
+        let k = 1_u64 << (level - 1);
+        (3 * k * k + k) / 2
+    }
+}
+
+impl Symmetry {
+    /// A displacement or a normal of the representative, carried over.
+    ///
+    /// ```
+    /// use terrella::cube::Face;
+    /// use terrella::terrain::Tile;
+    /// let (_, symmetry) = Tile::new(Face::Back, 1, 1, 0)?.representative();
+    /// assert_eq!(symmetry.vector([1.0, 2.0, 3.0]), [-1.0, -2.0, -3.0]);
+    /// # Ok::<(), terrella::terrain::InvalidTile>(())
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn vector(self, vector: [f32; 3]) -> [f32; 3] {
+        let [right, up, outward] = self.from.to_local(vector);
+        let (right, up) = select(self.swapped, (up, right), (right, up));
+        let [beside, above] = self.mirrored;
+        let local = [select(beside, -right, right), select(above, -up, up), outward];
+        // A zero stays positive.
+        self.to.to_earth(local).map(|v| v + 0.0)
+    }
+
+    /// The column and row in the representative's grid of `samples` × `samples` places that belong to a column and row of this tile's.
+    #[must_use]
+    #[inline(always)]
+    pub fn place(self, [m, n]: [u32; 2], samples: u32) -> [u32; 2] {
+        let last = samples.saturating_sub(1);
+        let [beside, above] = self.mirrored;
+        let m = select(beside, last.saturating_sub(m), m);
+        let n = select(above, last.saturating_sub(n), n);
+        select(self.swapped, [n, m], [m, n])
+    }
+
+    /// The representative's displacements or normals, carried over: in rows from below, three slices for x, y and z.
+    ///
+    /// ```
+    /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
+    /// use terrella::terrain::{Patches, Tile};
+    /// use terrella::{Ellipsoid, Shift};
+    ///
+    /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
+    /// let tile = Tile::new(Face::Left, 5, 3, 30)?;
+    /// let (representative, symmetry) = tile.representative();
+    /// let fill = |tile| {
+    ///     let (mut o, mut n) = ([[0.0; 16]; 3], [[0.0; 16]; 3]);
+    ///     patches.fill(tile, 4, o.each_mut().map(|o| &mut o[..]), n.each_mut().map(|n| &mut n[..])).map(|_| o)
+    /// };
+    /// let mut carried = [[0.0; 16]; 3];
+    /// let known = fill(representative)?;
+    /// symmetry.fill(4, known.each_ref().map(|o| &o[..]), carried.each_mut().map(|o| &mut o[..]))?;
+    /// assert_eq!(carried, fill(tile)?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidPatch`] for less than 2 samples or more than 4097, and for a slice that is not of `samples`² elements; nothing is written then.
+    pub fn fill(self, samples: u32, from: [&[f32]; 3], to: [&mut [f32]; 3]) -> Result<(), InvalidPatch> {
+        let ([a, b, c], [x, y, z]) = (from, to);
+        samples_and_length(samples, &[a.len(), b.len(), c.len(), x.len(), y.len(), z.len()])?;
+        let mut place = [0, 0];
+        for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+            let [m, n] = self.place(place, samples);
+            let index = n as usize * samples as usize + m as usize;
+            let component = |column: &[f32]| column.get(index).copied().unwrap_or_default();
+            [*x, *y, *z] = self.vector([component(a), component(b), component(c)]);
+            let [m, n] = place;
+            place = if m + 1 == samples { [0, n + 1] } else { [m + 1, n] };
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,473 @@
+//! Patches: vertices in single precision against the truth, how flat tiles are, and what the symmetries say.
+
+use fastrand::Rng;
+use rayon::prelude::*;
+use terrella::cube::{CubeMap, Face, Projection};
+use terrella::terrain::{Heights, InvalidPatch, Patches, Tile};
+use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
+
+use crate::sample;
+
+pub type Columns = [Vec<f32>; 3];
+
+pub fn columns(samples: u32) -> Columns {
+    std::array::from_fn(|_| vec![0.0; (samples * samples) as usize])
+}
+
+pub fn shared(columns: &Columns) -> [&[f32]; 3] {
+    columns.each_ref().map(Vec::as_slice)
+}
+
+pub fn mutable(columns: &mut Columns) -> [&mut [f32]; 3] {
+    columns.each_mut().map(Vec::as_mut_slice)
+}
+
+/// Displacements and normals.
+pub fn fill(patches: &Patches<Projection>, tile: Tile, samples: u32) -> [Columns; 2] {
+    let mut both = [columns(samples), columns(samples)];
+    let [o, n] = &mut both;
+    patches.fill(tile, samples, mutable(o), mutable(n)).unwrap();
+    both
+}
+
+pub fn at(columns: &Columns, index: usize) -> [f32; 3] {
+    columns.each_ref().map(|column| column[index])
+}
+
+pub fn map(ellipsoid: Ellipsoid<f64>, shift: Shift, projection: Projection) -> Patches<Projection> {
+    Patches::new(CubeMap::new(ellipsoid, shift, projection).unwrap())
+}
+
+pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|k| a[k] * b[k]).sum()
+}
+
+pub fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+pub fn length(a: [f64; 3]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// The ground by latitude and longitude.
+fn truth(patches: &Patches<Projection>, tile: Tile, node: [u32; 2], count: u32, height: f64) -> [f64; 3] {
+    let map = patches.map();
+    let place = map.unproject(tile.node(node, count));
+    let position = Geodetic::new(place, height).unwrap();
+    map.shifted().ellipsoid().to_ecef(position).to_array()
+}
+
+const PLANETS: [fn() -> Ellipsoid<f64>; 3] = [Ellipsoid::wgs84, Ellipsoid::moon, Ellipsoid::mars];
+
+/// A camera anywhere: evenly over latitudes and longitudes, poles included, evenly in the logarithm of the height from 1 m to 10 000 km.
+fn camera(rng: &mut Rng, ellipsoid: Ellipsoid<f64>) -> (LatLon<f64>, f64, Ecef<f64>) {
+    let place = LatLon::new(180.0 * rng.f64() - 90.0, 360.0 * rng.f64()).unwrap();
+    let height = 10_f64.powf(7.0 * rng.f64());
+    (place, height, ellipsoid.to_ecef(Geodetic::new(place, height).unwrap()))
+}
+
+/// What was worst: the error within a kilometre in metres, the error beyond in units of the distance, and the same of naive single precision.
+#[derive(Default, Clone, Copy)]
+struct Worst {
+    near: f64,
+    far: f64,
+    naive_near: f64,
+    naive_far: f64,
+    /// The error in units of the farthest corner's distance and the height.
+    rounding: f64,
+}
+
+impl Worst {
+    fn merge(self, other: Self) -> Self {
+        Self {
+            near: self.near.max(other.near),
+            far: self.far.max(other.far),
+            naive_near: self.naive_near.max(other.naive_near),
+            naive_far: self.naive_far.max(other.naive_far),
+            rounding: self.rounding.max(other.rounding),
+        }
+    }
+}
+
+/// A random camera and vertex, the vertex in a tile as a renderer would have it: its longest side no longer than the distance to it or 1 km.
+fn one(rng: &mut Rng) -> Worst {
+    let ellipsoid = PLANETS[rng.usize(0..3)]();
+    let projection = Projection::ALL[rng.usize(0..Projection::ALL.len())];
+    let shift = Shift::ALL[rng.usize(0..Shift::ALL.len())];
+    let patches = map(ellipsoid, shift, projection);
+    let (place, height, eye) = camera(rng, ellipsoid);
+    // A vertex on the ground about as far from the foot of the camera as something between 1 m and the camera's horizon.
+    let reach = (2.0 * ellipsoid.a() * height).sqrt().min(ellipsoid.a());
+    let way = reach.powf(rng.f64()) / ellipsoid.a();
+    let around = std::f64::consts::TAU * rng.f64();
+    let local = terrella::LocalFrame::new(ellipsoid, Geodetic::new(place, 0.0).unwrap());
+    let beside = local
+        .from_enu(terrella::Enu {
+            east: ellipsoid.a() * way * around.cos(),
+            north: ellipsoid.a() * way * around.sin(),
+            up: 0.0,
+        })
+        .unwrap();
+    let vertex_place = ellipsoid.to_geodetic(beside).lat_lon();
+    let point = patches.map().project(vertex_place);
+    let ground = ellipsoid.to_ecef(Geodetic::new(vertex_place, 0.0).unwrap()).to_array();
+    let room = length(minus(ground, eye.to_array())).max(1000.0);
+    let side = |level: u8| {
+        let corners = patches
+            .of(Tile::containing(point, level).unwrap())
+            .corners()
+            .map(Ecef::to_array);
+        (0..4)
+            .map(|k| length(minus(corners[k], corners[(k + 1) % 4])))
+            .fold(0.0, f64::max)
+    };
+    let level = (0..=20).find(|&level| side(level) <= room).unwrap();
+    let tile = Tile::containing(point, level + rng.u8(0..3)).unwrap();
+    let samples = [2, 9, 33][rng.usize(0..3)];
+    let [o, n] = fill(&patches, tile, samples);
+    let [m, row] = [0; 2].map(|_| rng.u32(0..samples));
+    let index = (row * samples + m) as usize;
+    let height = (9000.0 * rng.f64() - 1000.0) as f32;
+    let seen = patches.of(tile).seen_from(eye);
+    let found = seen.at([m, row], samples, at(&o, index), at(&n, index), height);
+    let truth = truth(&patches, tile, [m, row], samples - 1, height.into());
+    let expected = minus(truth, eye.to_array());
+    let distance = length(expected);
+    let error = length(minus(found.map(f64::from), expected));
+    let farthest = seen.corners().map(|corner| length(corner.map(f64::from)));
+    let rounding = error / (farthest.into_iter().fold(0.0, f64::max) + f64::from(height.abs()));
+    let naive: [f32; 3] = std::array::from_fn(|k| truth[k] as f32 - eye.to_array()[k] as f32);
+    let naive = length(minus(naive.map(f64::from), expected));
+    if distance <= 1000.0 {
+        Worst {
+            near: error,
+            naive_near: naive,
+            rounding,
+            ..Worst::default()
+        }
+    } else {
+        Worst {
+            far: error / distance,
+            naive_far: naive / distance,
+            rounding,
+            ..Worst::default()
+        }
+    }
+}
+
+fn vertices(count: u64) {
+    let worst = (0..count)
+        .into_par_iter()
+        .map(|seed| one(&mut Rng::with_seed(seed)))
+        .reduce(Worst::default, Worst::merge);
+    println!(
+        "{count} cameras and vertices: {:.2} mm within 1 km, {:.2e} of the distance beyond; naive {:.2} m, {:.2e}; {:.2e} of the farthest corner",
+        1e3 * worst.near,
+        worst.far,
+        worst.naive_near,
+        worst.naive_far,
+        worst.rounding
+    );
+    assert!(worst.near <= 0.005 && worst.near > 0.0, "{}", worst.near);
+    assert!(worst.far <= 1e-6 && worst.far > 0.0, "{}", worst.far);
+    assert!(worst.rounding <= 4e-7, "{}", worst.rounding);
+    // The contrast: the same places as single precision alone has them.
+    assert!(worst.naive_near > 0.1, "{}", worst.naive_near);
+}
+
+#[test]
+fn vertices_are_where_they_should_be() {
+    vertices(10_000);
+}
+
+#[test]
+#[ignore = "a million: cargo test --release --test terrain -- --ignored --nocapture a_million_vertices"]
+fn a_million_vertices() {
+    vertices(1_000_000);
+}
+
+/// All vertices at once are those one by one, in every bit, and so are displacements and normals.
+#[test]
+fn slices_are_one_by_one() {
+    let mut rng = Rng::with_seed(5);
+    for samples in [2, 3, 8, 16, 17, 65] {
+        for &projection in Projection::ALL {
+            let patches = map(Ellipsoid::mars(), Shift::Authalic, projection);
+            let tile = sample::tile(&mut rng);
+            let [o, n] = fill(&patches, tile, samples);
+            let heights: Vec<f32> = (0..samples * samples).map(|_| rng.f32() * 1000.0).collect();
+            let seen = patches.of(tile).seen_from(Ecef::new(3.4e6, 100.0, 2e5).unwrap());
+            let mut vertices = columns(samples);
+            seen.fill(samples, shared(&o), shared(&n), &heights, mutable(&mut vertices))
+                .unwrap();
+            let corners = patches.of(tile).corners().map(Ecef::to_array);
+            for row in 0..samples {
+                for m in 0..samples {
+                    let k = (row * samples + m) as usize;
+                    let one = seen.at([m, row], samples, at(&o, k), at(&n, k), heights[k]);
+                    assert_eq!(at(&vertices, k).map(f32::to_bits), one.map(f32::to_bits));
+                    // The displacement is from the bilinear patch.
+                    let count = f64::from(samples - 1);
+                    let (s, t) = (f64::from(m) / count, f64::from(row) / count);
+                    let ground = truth(&patches, tile, [m, row], samples - 1, 0.0);
+                    let expected: [f64; 3] = std::array::from_fn(|k| {
+                        let up = corners[0][k] * s + corners[1][k] * (1.0 - s);
+                        let down = corners[3][k] * s + corners[2][k] * (1.0 - s);
+                        ground[k] - (up * t + down * (1.0 - t))
+                    });
+                    let error = length(minus(at(&o, k).map(f64::from), expected));
+                    assert!(error <= 6e-9 + 1e-7 * length(expected), "{projection} {tile:?} {error}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn representatives_say_all() {
+    Projection::ALL.par_iter().for_each(|&projection| {
+        let mut rng = Rng::with_seed(6);
+        for shift in [Shift::Authalic, Shift::Geocentric] {
+            let patches = map(Ellipsoid::wgs84(), shift, projection);
+            for round in 0..200 {
+                let tile = match round {
+                    0..6 => Tile::root(Face::ALL[round]),
+                    _ => sample::tile(&mut rng),
+                };
+                let samples = rng.u32(2..10);
+                let (representative, symmetry) = tile.representative();
+                let (own, known) = (fill(&patches, tile, samples), fill(&patches, representative, samples));
+                let largest = known[0].iter().flatten().fold(0.0_f32, |a, b| a.max(b.abs()));
+                for (which, (own, known)) in own.iter().zip(&known).enumerate() {
+                    let mut carried = columns(samples);
+                    symmetry.fill(samples, shared(known), mutable(&mut carried)).unwrap();
+                    for (a, b) in own.iter().flatten().zip(carried.iter().flatten()) {
+                        if projection == Projection::Conformal {
+                            let allowed = if which == 0 {
+                                6e-9 + largest * f32::EPSILON
+                            } else {
+                                f32::EPSILON
+                            };
+                            assert!((a - b).abs() <= allowed, "{tile:?} {a} {b}");
+                        } else {
+                            assert_eq!(a.to_bits(), b.to_bits(), "{projection} {tile:?} {a} {b}");
+                        }
+                    }
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn representatives_are_their_own_and_as_many_as_counted() {
+    for level in 0..=6 {
+        let mut seen = std::collections::BTreeSet::new();
+        for face in Face::ALL {
+            for n in 0..1_u32 << (2 * level) {
+                let tile = Tile::new(face, level, n % (1 << level), n >> level).unwrap();
+                let (representative, _) = tile.representative();
+                assert_eq!(representative.representative().0, representative);
+                seen.insert((representative.face(), representative.i(), representative.j()));
+            }
+        }
+        assert_eq!(seen.len() as u64, Tile::distinct(level));
+    }
+    assert_eq!(Tile::distinct(255), Tile::distinct(30));
+}
+
+/// The largest displacement of a tile, and the largest difference of a normal from the interpolated one.
+fn bulge(patches: &Patches<Projection>, tile: Tile, parts: u32) -> [f64; 2] {
+    let samples = parts + 1;
+    let mut most = [0.0_f64; 2];
+    let [o, _] = fill(patches, tile, samples);
+    let normal = |point| patches.map().unproject(point).to_direction().to_array();
+    let corners = tile.corners().map(normal);
+    for row in 0..samples {
+        for m in 0..samples {
+            let k = (row * samples + m) as usize;
+            most[0] = most[0].max(length(at(&o, k).map(f64::from)));
+            let (s, t) = (f64::from(m) / f64::from(parts), f64::from(row) / f64::from(parts));
+            let own = normal(tile.node([m, row], parts));
+            let apart = std::array::from_fn(|k| {
+                let up = corners[0][k] * s + corners[1][k] * (1.0 - s);
+                let down = corners[3][k] * s + corners[2][k] * (1.0 - s);
+                own[k] - (up * t + down * (1.0 - t))
+            });
+            most[1] = most[1].max(length(apart));
+        }
+    }
+    most
+}
+
+/// Tiles in which to look for the worst: all of the coarse levels, then random ones, with every other one near a centre, edge, corner or diagonal.
+fn suspects(rng: &mut Rng, level: u8, count: u32) -> Vec<Tile> {
+    if level <= 3 {
+        return Face::ALL
+            .into_iter()
+            .flat_map(|face| {
+                (0..1_u32 << (2 * level)).map(move |n| Tile::new(face, level, n % (1 << level), n >> level).unwrap())
+            })
+            .collect();
+    }
+    let size = 1_u32 << level;
+    (0..count)
+        .map(|_| {
+            let index = |rng: &mut Rng| {
+                let log = if rng.bool() { 0.0 } else { rng.f64() };
+                let small = (f64::from(size / 2).powf(log) as u32).clamp(1, size / 2);
+                match rng.u8(0..6) {
+                    0 => small - 1,
+                    1 => size - small,
+                    2 => size / 2 - small,
+                    3 => size / 2 + small - 1,
+                    _ => rng.u32(0..size),
+                }
+            };
+            let i = index(rng);
+            let j = match rng.u8(0..4) {
+                0 => i,
+                1 => size - 1 - i,
+                _ => index(rng),
+            };
+            Tile::new(sample::face(rng), level, i, j).unwrap()
+        })
+        .collect()
+}
+
+fn flat_enough(patches: &Patches<Projection>, level: u8, count: u32) -> [f64; 2] {
+    let bound = patches.flatness(level);
+    let mut most = [0.0_f64; 2];
+    let mut rng = Rng::with_seed(level.into());
+    for tile in suspects(&mut rng, level, count) {
+        let found = bulge(patches, tile, 10);
+        for k in 0..2 {
+            most[k] = most[k].max(found[k]);
+        }
+    }
+    [bound.displacement / most[0], bound.turning / most[1]]
+}
+
+/// Bounds hold, and at levels 0 to 22 they are within twice the largest seen.
+#[test]
+fn flatness_is_a_bound_and_a_close_one() {
+    Projection::ALL.par_iter().for_each(|&projection| {
+        let mut ratios = [[f64::INFINITY, 0.0_f64]; 2];
+        for level in 0..=22 {
+            let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
+            let found = flat_enough(&patches, level, 300);
+            for k in 0..2 {
+                ratios[k] = [ratios[k][0].min(found[k]), ratios[k][1].max(found[k])];
+            }
+            assert!(found[0] >= 1.0 && found[1] >= 1.0, "{projection} {level} {found:?}");
+            assert!(found[0] <= 2.0, "{projection} {level} {found:?}");
+        }
+        println!(
+            "{projection:18} bound over largest seen: displacement {:.2?}, normals {:.2?}",
+            ratios[0], ratios[1]
+        );
+    });
+}
+
+#[test]
+#[ignore = "every shape and shift: cargo test --release --test terrain -- --ignored flatness_of_every_map"]
+fn flatness_of_every_map() {
+    let shapes = [
+        Ellipsoid::moon(),
+        Ellipsoid::mars(),
+        Ellipsoid::new(6.4e6, 0.1).unwrap(),
+        Ellipsoid::new(6.4e6, -1.0 / 9.0).unwrap(),
+        Ellipsoid::new(6.4e6, 0.5).unwrap(),
+    ];
+    Projection::ALL.par_iter().for_each(|&projection| {
+        for ellipsoid in shapes {
+            for &shift in Shift::ALL {
+                let Ok(map) = CubeMap::new(ellipsoid, shift, projection) else {
+                    continue;
+                };
+                let patches = Patches::new(map);
+                for level in 0..=22 {
+                    let found = flat_enough(&patches, level, 150);
+                    let context = format!("{projection} {shift} {ellipsoid:?} {level} {found:?}");
+                    assert!(found[0] >= 1.0 && found[1] >= 1.0, "{context}");
+                    assert!(found[0] <= 2.0, "{context}");
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn plain_tiles_are_within_their_tolerance() {
+    let heights = Heights::new(-500.0, 8000.0).unwrap();
+    Projection::ALL.par_iter().for_each(|&projection| {
+        let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
+        let mut rng = Rng::with_seed(7);
+        for tolerance in [0.01, 1.0, 100.0] {
+            let level = patches.plain_level(tolerance, heights).unwrap();
+            for _ in 0..300 {
+                let tile = sample::tile_of(&mut rng, level);
+                let patch = patches.of(tile);
+                let node = [rng.u32(0..=16), rng.u32(0..=16)];
+                let height = if rng.bool() { -500.0 } else { 8000.0 };
+                let expected = truth(&patches, tile, node, 16, height);
+                let eye = Ecef::new(expected[0], expected[1], expected[2]).unwrap();
+                let place = node.map(|index| index as f32 / 16.0);
+                let found = patch.seen_from(eye).plain(place, patch.normals(), height as f32);
+                // The height itself is rounded.
+                let error = length(found.map(f64::from));
+                assert!(error <= tolerance + 0.002, "{projection} {level} {error}");
+            }
+        }
+    });
+}
+
+#[test]
+#[ignore = "a table to look at: cargo test --release --test terrain -- --ignored --nocapture plain_levels"]
+fn plain_levels() {
+    let sea = Heights::default();
+    let land = Heights::new(-11_000.0, 9_000.0).unwrap();
+    println!(
+        "{:18} | level from which no displacement is longer than 1 m, 1 cm, 1 mm | with heights",
+        ""
+    );
+    for &projection in Projection::ALL {
+        let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
+        let row = |heights| {
+            [1.0, 0.01, 0.001].map(|tolerance| {
+                patches
+                    .plain_level(tolerance, heights)
+                    .map_or("none".into(), |level| level.to_string())
+            })
+        };
+        println!("{:18} | {:?} | {:?}", projection.name(), row(sea), row(land));
+    }
+}
+
+#[test]
+fn what_is_no_patch_is_refused() {
+    let patches = map(Ellipsoid::wgs84(), Shift::Authalic, Projection::Balanced);
+    let tile = Tile::root(Face::Top);
+    let (mut o, mut n) = (columns(3), columns(3));
+    for samples in [0, 1, 4098, u32::MAX] {
+        let refused = patches.fill(tile, samples, mutable(&mut o), mutable(&mut n));
+        assert_eq!(refused, Err(InvalidPatch::Samples(samples)));
+    }
+    n[2].pop();
+    let wrong = InvalidPatch::Length { expected: 9, length: 8 };
+    assert_eq!(patches.fill(tile, 3, mutable(&mut o), mutable(&mut n)), Err(wrong));
+    assert!(o.iter().flatten().all(|&v| v == 0.0));
+    assert_eq!(wrong.to_string(), "a slice of 8 elements for 9 samples");
+    assert_eq!(
+        InvalidPatch::Samples(1).to_string(),
+        "1 samples along an edge are not in 2 to 4097"
+    );
+    let seen = patches.of(tile).seen_from(Ecef::new(0.0, 0.0, 0.0).unwrap());
+    let (long, short) = ([0.0; 9], [0.0; 8]);
+    let mut out = columns(3);
+    let refused = seen.fill(3, [&long; 3], [&long; 3], &short, mutable(&mut out));
+    assert_eq!(refused, Err(wrong));
+    let (_, symmetry) = tile.representative();
+    assert_eq!(symmetry.fill(3, [&long, &short, &long], mutable(&mut out)), Err(wrong));
+}
