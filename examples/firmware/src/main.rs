@@ -5,6 +5,7 @@
 #![no_main]
 
 mod accuracy;
+mod batches;
 mod measure;
 mod stack;
 mod timer;
@@ -20,6 +21,9 @@ use cortex_m_semihosting::hprintln;
 fn main() -> ! {
     let kept = accuracy::all_kept();
     let mut measure = measure::Measure::new();
+    hprintln!("batch\tscalar\tstack");
+    batches::show::<f64>();
+    batches::show::<f32>();
     hprintln!("function\tscalar\thash\tinstructions\tstack");
     calls::every(&mut measure);
     end(kept && !measure.too_deep)

@@ -1,25 +1,18 @@
-//! A line for each function and scalar: its name, the scalar and a hash of what it gives for fixed arguments.
+//! For wasm: hands the lines that the program prints elsewhere to the host.
+#![cfg(target_family = "wasm")]
 
-#[cfg(target_family = "wasm")]
-mod wasm;
-
-use calls::{Arguments, Bits, Function, Scalar, Visitor};
-
-struct Lines<F>(F);
-
-impl<F: FnMut(&str)> Visitor for Lines<F> {
-    fn visit<T: Scalar, I: Copy, O: Bits>(
-        &mut self,
-        function: Function,
-        draw: impl Fn(&mut Arguments) -> I,
-        call: impl Fn(I) -> O,
-    ) {
-        let hash = function.hash(draw, call);
-        (self.0)(&format!("{function}\t{}\t{hash:016x}", T::NAME));
-    }
+#[link(wasm_import_module = "host")]
+unsafe extern "C" {
+    /// Takes a line of text in UTF-8.
+    fn line(start: *const u8, length: usize);
 }
 
-/// Hands on the lines.
-pub fn lines(print: impl FnMut(&str)) {
-    calls::every(&mut Lines(print));
+/// A line for each function and scalar.
+#[unsafe(no_mangle)]
+pub extern "C" fn bits() {
+    calls::hashes(|function, scalar, hash| {
+        let text = format!("{function}\t{scalar}\t{hash:016x}");
+        // SAFETY: the host reads the text before it returns.
+        unsafe { line(text.as_ptr(), text.len()) }
+    });
 }

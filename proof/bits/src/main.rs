@@ -1,7 +1,7 @@
-//! Prints a hash for every function; on standard error, the widest instructions that batches may use.
+//! Prints a line for each function and scalar: its name, the scalar and a hash of what it gives for fixed arguments; on standard error, the widest instructions that batches may use.
 
 fn main() {
-    bits::lines(|line| println!("{line}"));
+    calls::hashes(|function, scalar, hash| println!("{function}\t{scalar}\t{hash:016x}"));
     eprintln!("{}", widest());
 }
 

@@ -57,9 +57,9 @@ impl Arguments {
         [(); N].map(|()| self.unit())
     }
 
-    /// A whole number below a limit.
+    /// A whole number below a limit of less than 2²⁴.
     pub fn below(&mut self, limit: u64) -> u64 {
-        self.draw() % limit
+        (self.draw() * limit) >> 24
     }
 
     /// Any place.

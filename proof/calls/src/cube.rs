@@ -13,7 +13,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
         CubeProjection::with(projection, One::<T, V>::new(visitor, Projection::name(projection)));
         derivatives::<T, V>(visitor, projection);
     }
-    One::<T, V>::new(visitor, "quad-cube").run(QuadCube::COBE);
+    ProjectionTask::run(One::<T, V>::new(visitor, "quad-cube"), QuadCube::COBE);
     maps::<T, V>(visitor);
 }
 

@@ -115,6 +115,24 @@ pub trait Visitor {
 /// The points of a batch: two whole blocks, and a part of one.
 pub const POINTS: usize = 150;
 
+struct Hashes<F>(F);
+
+impl<F: FnMut(Function, &'static str, u64)> Visitor for Hashes<F> {
+    fn visit<T: Scalar, I: Copy, O: Bits>(
+        &mut self,
+        function: Function,
+        draw: impl Fn(&mut Arguments) -> I,
+        call: impl Fn(I) -> O,
+    ) {
+        (self.0)(function, T::NAME, function.hash(draw, call));
+    }
+}
+
+/// Hands on each function, its scalar and the hash of what it gives.
+pub fn hashes(take: impl FnMut(Function, &'static str, u64)) {
+    every(&mut Hashes(take));
+}
+
 /// Shows all functions, in both scalars.
 pub fn every<V: Visitor>(visitor: &mut V) {
     every_in::<f64, V>(visitor);

@@ -42,6 +42,16 @@ fn terrella_is_fine(index: usize) -> u8 {
     [1, 2, 3][index]
 }
 
+// What copies memory there.
+#[cfg(not(target_os = "none"))]
+#[link(name = "c")]
+unsafe extern "C" {}
+
+/// The precompiled `core` names it in tables for unwinding, which are not used.
+#[cfg(not(target_os = "none"))]
+#[unsafe(no_mangle)]
+extern "C" fn rust_eh_personality() {}
+
 #[panic_handler]
 fn panic(_: &PanicInfo) -> ! {
     loop {}
