@@ -3,7 +3,7 @@ use core::marker::PhantomData;
 use terrella::cube::{
     Corner, CubeMap, CubeProjection, Edge, Face, FacePoint, Numbering, Projection, ProjectionTask, QuadCube,
 };
-use terrella::{Dual, Ellipsoid, Shift};
+use terrella::{Dual, Ellipsoid, Real, Shift};
 
 use crate::{Arguments, Function, Scalar, Visitor};
 
@@ -44,6 +44,29 @@ impl<T: Scalar, V: Visitor> ProjectionTask for One<'_, T, V> {
             name("CubeProjection::project"),
             Arguments::direction::<T>,
             |direction| CubeProjection::project(&projection, direction),
+        );
+        visitor.visit::<T, _, _>(
+            name("CubeProjection::project_place"),
+            Arguments::direction::<T>,
+            |direction| {
+                let [x, y, z] = direction.to_array();
+                let polar = CubeProjection::is_polar(&projection, direction);
+                (
+                    polar,
+                    CubeProjection::project_place(&projection, (z, Real::sqrt(x * x + y * y)), T::of(99.0)),
+                )
+            },
+        );
+        visitor.visit::<T, _, _>(
+            name("CubeProjection::unproject_place"),
+            Arguments::face_point::<T>,
+            |point| {
+                let ((sin, cos), lon) = CubeProjection::unproject_place(
+                    &projection,
+                    [T::from_byte(point.face().index()), point.x(), point.y()],
+                );
+                [sin, cos, lon]
+            },
         );
         visitor.visit::<T, _, _>(name("CubeProjection::unproject"), Arguments::face_point::<T>, |point| {
             CubeProjection::unproject(&projection, point)

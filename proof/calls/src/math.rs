@@ -22,6 +22,8 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("math::atan2", two, |[x, y]| math::atan2(y, x));
     visitor.function::<T, _, _>("math::atan2_degrees", two, |[x, y]| math::atan2_degrees(y, x));
     visitor.function::<T, _, _>("math::cbrt", unit, |x| math::cbrt(x));
+    visitor.function::<T, _, _>("math::exp_m1", unit, |x| math::exp_m1(x));
+    visitor.function::<T, _, _>("math::log2", unit, |x| math::log2(x));
     scalar::<T, V>(visitor);
     dual::<T, V>(visitor);
 }
@@ -30,9 +32,6 @@ fn scalar<T: Scalar, V: Visitor>(visitor: &mut V) {
     let unit = Arguments::unit::<T>;
     let two = Arguments::units::<T, 2>;
     visitor.function::<T, _, _>("Real::sqrt", unit, |x| Real::sqrt(Real::abs(x)));
-    visitor.function::<T, _, _>("Real::ln_1p", unit, |x| Real::ln_1p(x));
-    visitor.function::<T, _, _>("Real::exp_m1", unit, |x| Real::exp_m1(x));
-    visitor.function::<T, _, _>("Real::log2", unit, |x| Real::log2(x));
     visitor.function::<T, _, _>("Real::remainder", two, |[x, y]| Real::remainder(x * T::of(1e5), y));
     visitor.function::<T, _, _>("Real::round", unit, |x| Real::round(x * T::of(1e6)));
     visitor.function::<T, _, _>("Real::split", unit, |x| Real::split(x));
@@ -48,6 +47,13 @@ fn scalar<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("Real::polynomial", two, |[x, y]| {
         (Real::polynomial(x, &COSINE), T::complex_polynomial([x, y], &COSINE))
     });
+    visitor.function::<T, _, _>("Real::floor", unit, |x| {
+        [
+            i64::from(Real::floor(x * T::of(1e3))),
+            i64::from(Real::to_byte(T::from_byte(200))),
+        ]
+        .map(|n| n as usize)
+    });
     visitor.function::<T, _, _>("Real, by precision", unit, |x| {
         let counts = [T::terms(7, 3), T::steps(7, 3)];
         let numbers = [
@@ -56,7 +62,14 @@ fn scalar<T: Scalar, V: Visitor>(visitor: &mut V) {
             T::pick(1e-200, 1e-20),
             T::whole(16_777_217),
         ];
-        let rest = [T::of(0.1), T::coefficient(&COSINE, 3), Real::cbrt_guess(Real::abs(x))];
+        let rest = [
+            T::of(0.1),
+            T::coefficient(&COSINE, 3),
+            Real::cbrt_guess(Real::abs(x)),
+            Real::exponent(Real::abs(x)),
+            T::power_of_two(Real::round(x)),
+            T::from_byte(200),
+        ];
         (counts, numbers, rest, T::all(&THIRDS))
     });
 }
@@ -74,13 +87,7 @@ fn dual<T: Scalar, V: Visitor>(visitor: &mut V) {
     });
     visitor.function::<T, _, _>("Dual, functions", two, |[x, y]| {
         let [x, y] = Dual::variables([x, y]);
-        let roots = [
-            Real::sqrt(Real::abs(x)),
-            math::cbrt(x),
-            Real::ln_1p(x),
-            Real::exp_m1(x),
-            Real::log2(x),
-        ];
+        let roots = [Real::sqrt(Real::abs(x)), math::cbrt(x), math::exp_m1(x), math::log2(x)];
         let angles = [
             math::atan2(y, x),
             math::atan2_degrees(y, x),
