@@ -50,7 +50,7 @@ macro_rules! words {
     )*};
 }
 
-words! { bool u8 u64 usize Face Edge Corner }
+words! { bool u8 u32 u64 usize Face Edge Corner }
 
 macro_rules! floats {
     ($($float:ident)*) => {$(

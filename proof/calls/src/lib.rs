@@ -16,6 +16,7 @@ mod geodesic;
 mod latitude;
 mod math;
 mod position;
+mod terrain;
 
 use core::fmt;
 
@@ -149,4 +150,5 @@ pub fn every_in<T: Scalar, V: Visitor>(visitor: &mut V) {
     distortion::show::<T, V>(visitor);
     geodesic::show::<T, V>(visitor);
     batch::show::<T, V>(visitor);
+    terrain::show::<T, V>(visitor);
 }

@@ -1,0 +1,440 @@
+use terrella::cube::{Corner, CubeMap, Edge, FacePoint, Projection};
+use terrella::terrain::{
+    self, Adjacent, Along, Around, BoundingSphere, Camera, Curve, Detail, Diagonal, Enclosure, Flatness, Heights,
+    Hilbert, Horizon, InvalidCamera, InvalidDetail, InvalidHeights, InvalidKey, InvalidPatch, InvalidPlace,
+    InvalidTile, InvalidToken, Key, Morton, OrientedBox, Patch, Patches, Selection, Series, Split, Symmetry, Tile,
+    Vertices,
+};
+use terrella::{Direction, Ecef, Ellipsoid, Shift, Shifted};
+
+use crate::{Arguments, Bits, Function, Hash, Scalar, Visitor};
+
+/// The samples along an edge of a patch.
+const SAMPLES: u32 = 5;
+
+/// Displacements, normals or vertices of a patch.
+type Grid = [[f32; (SAMPLES * SAMPLES) as usize]; 3];
+
+const EMPTY: Grid = [[0.0; (SAMPLES * SAMPLES) as usize]; 3];
+
+pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
+    tiles::<T, V>(visitor);
+    neighbours::<T, V>(visitor);
+    keys::<T, V, Morton>(visitor, "Morton");
+    keys::<T, V, Hilbert>(visitor, "Hilbert");
+    heights::<T, V>(visitor);
+    for &projection in Projection::ALL {
+        boxes::<T, V>(visitor, projection);
+    }
+    views::<T, V>(visitor);
+    // Patches are made in double precision, whatever they are drawn in.
+    if T::NAME == f64::NAME {
+        symmetries(visitor);
+        for &projection in Projection::ALL {
+            patches(visitor, projection);
+        }
+        splits(visitor);
+    }
+}
+
+fn tile<T: Scalar>(arguments: &mut Arguments) -> Tile {
+    loop {
+        let level = arguments.below(31) as u8;
+        if let Ok(tile) = Tile::containing(arguments.face_point::<T>(), level) {
+            return tile;
+        }
+    }
+}
+
+fn corner(arguments: &mut Arguments) -> Corner {
+    let index = arguments.below(4) as usize;
+    Corner::ALL.get(index).copied().unwrap_or(Corner::UpLeft)
+}
+
+fn tiles<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let numbers = |arguments: &mut Arguments| {
+        let level = arguments.below(33) as u8;
+        let [i, j] = [arguments.below(1 << 12) as u32, arguments.below(1 << 12) as u32];
+        (arguments.face(), level, i, j)
+    };
+    visitor.function::<T, _, _>("Tile::new", numbers, |(face, level, i, j)| {
+        (Tile::new(face, level, i, j), Tile::root(face), Tile::distinct(level))
+    });
+    let inside = |arguments: &mut Arguments| (arguments.face_point::<T>(), arguments.below(33) as u8);
+    visitor.function::<T, _, _>("Tile::containing", inside, |(point, level)| {
+        Tile::containing(point, level)
+    });
+    let family = |arguments: &mut Arguments| (tile::<T>(arguments), arguments.below(31) as u8);
+    visitor.function::<T, _, _>("Tile, its family", family, |(tile, level)| {
+        let above = Tile::ancestor(tile, level);
+        (
+            Tile::parent(tile),
+            Tile::children(tile),
+            above,
+            above.map(|above| Tile::contains(above, tile)),
+        )
+    });
+    let places = |arguments: &mut Arguments| (tile::<T>(arguments), corner(arguments), arguments.units::<T, 2>());
+    visitor.function::<T, _, _>("Tile, its places", places, |(tile, corner, [s, t])| {
+        let point = Tile::point(tile, [s.abs(), t]);
+        let back = point.map(|point| Tile::place(tile, point));
+        let nodes: [FacePoint<T>; 2] = [Tile::node(tile, [3, 7], 9), Tile::centre(tile)];
+        let one: FacePoint<T> = Tile::corner(tile, corner);
+        let all: [FacePoint<T>; 4] = Tile::corners(tile);
+        (point, back, nodes, one, all)
+    });
+}
+
+fn neighbours<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let draw = |arguments: &mut Arguments| {
+        let edge = Edge::ALL.get(arguments.below(4) as usize).copied();
+        (tile::<T>(arguments), edge.unwrap_or(Edge::Up), corner(arguments))
+    };
+    visitor.function::<T, _, _>("Tile::neighbour", draw, |(tile, edge, _)| Tile::neighbour(tile, edge));
+    visitor.function::<T, _, _>("Tile::around", draw, |(tile, _, corner)| {
+        (Tile::diagonal(tile, corner), Tile::around(tile, corner))
+    });
+    visitor.function::<T, _, _>("Tile::neighbours", draw, |(tile, edge, _)| {
+        Tile::neighbours(tile, edge, Tile::level(tile) + 2)
+    });
+}
+
+fn keys<T: Scalar, V: Visitor, C: Curve>(visitor: &mut V, name: &'static str) {
+    let name = |function| Function::of(function, name);
+    let two = |arguments: &mut Arguments| (tile::<T>(arguments), tile::<T>(arguments), arguments.below(31) as u8);
+    visitor.visit::<T, _, _>(name("Key, of a tile"), two, |(tile, other, level)| {
+        let (key, other) = (Key::<C>::from(tile), Key::<C>::from(other));
+        let above = Key::ancestor(key, level);
+        let range = Key::range(key);
+        (
+            [Key::bits(key), Key::bits(*range.start()), Key::bits(*range.end())],
+            Key::level(key),
+            above.map(|above| (Key::bits(above), Key::contains(above, other))),
+            Tile::from(key),
+        )
+    });
+    let bits = |arguments: &mut Arguments| {
+        let [high, low] = [arguments.below(1 << 23), arguments.below(1 << 23)];
+        high << 41 | low << 18
+    };
+    visitor.visit::<T, _, _>(name("Key::new"), bits, |bits| Key::<C>::new(bits).map(Tile::from));
+    let token = |arguments: &mut Arguments| {
+        let tokens = ["4646541", "1", "c", "", "00000000000000001", "3g", "2ef59bd352b93ac3"];
+        tokens.get(arguments.below(7) as usize).copied().unwrap_or_default()
+    };
+    visitor.visit::<T, _, _>(name("Key, from a token"), token, |token| {
+        token.parse::<Key<C>>().map(Tile::from)
+    });
+}
+
+fn heights<T: Scalar, V: Visitor>(visitor: &mut V) {
+    visitor.function::<T, _, _>("Heights::new", Arguments::units::<T, 2>, |[low, high]| {
+        Heights::new(low, high).map(|heights| [Heights::low(heights), Heights::high(heights)])
+    });
+    let Ok(earth) = Shifted::new(Ellipsoid::<T>::wgs84(), Shift::Geocentric) else {
+        return;
+    };
+    visitor.function::<T, _, _>("terrain::lean", Arguments::geodetic::<T>, |place| {
+        terrain::lean(&earth, place.lat_lon(), place.height())
+    });
+}
+
+fn hills<T: Scalar>() -> Heights<T> {
+    Heights::new(T::of(-500.0), T::of(9e3)).unwrap_or_default()
+}
+
+/// The boxes of an Earth.
+fn enclosure<T: Scalar>(projection: Projection) -> Option<Enclosure<T, Projection>> {
+    let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection).ok()?;
+    Some(Enclosure::new(map))
+}
+
+fn boxes<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
+    let Some(enclosure) = enclosure::<T>(projection) else {
+        return;
+    };
+    let name = |function| Function::of(function, Projection::name(projection));
+    visitor.visit::<T, _, _>(name("Enclosure::of"), tile::<T>, |tile| {
+        Enclosure::of(&enclosure, tile, hills())
+    });
+    if projection == Projection::Vertex {
+        visitor.visit::<T, _, _>(name("Enclosure::new"), Arguments::ellipsoid::<T>, |ellipsoid| {
+            let map = CubeMap::new(ellipsoid, Shift::Authalic, projection);
+            map.map(|map| {
+                let enclosure = Enclosure::new(map);
+                let roots = terrella::cube::Face::ALL.map(Tile::root);
+                (
+                    Enclosure::map(&enclosure).shifted().ellipsoid(),
+                    roots.map(|root| Enclosure::of(&enclosure, root, hills())),
+                )
+            })
+        });
+        let draw = |arguments: &mut Arguments| (tile::<T>(arguments), arguments.ecef::<T>());
+        visitor.visit::<T, _, _>(name("OrientedBox, its measures"), draw, |(tile, point)| {
+            let bounds = Enclosure::of(&enclosure, tile, hills());
+            (
+                OrientedBox::corners(&bounds),
+                OrientedBox::sphere(&bounds),
+                OrientedBox::distance(&bounds, point),
+            )
+        });
+    }
+}
+
+/// From some 620 km above a place straight down, 90° wide and high.
+fn camera<T: Scalar>(direction: Direction<T>) -> Option<Camera<T>> {
+    let [x, y, z] = direction.to_array();
+    let away = T::of(7e6);
+    let eye = Ecef::new(x * away, y * away, z * away).ok()?;
+    let matrix = [
+        [-y, x, T::ZERO, T::ZERO],
+        [-(z * x), -(z * y), x * x + y * y, T::ZERO],
+        [T::ZERO; 4],
+        [-x, -y, -z, T::ZERO],
+    ];
+    Camera::new(eye, matrix, [T::of(1024.0), T::of(768.0)]).ok()
+}
+
+fn views<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let draw = |arguments: &mut Arguments| (arguments.ecef::<T>(), arguments.units::<T, 2>());
+    visitor.function::<T, _, _>("Camera::new", draw, |(eye, pixels)| {
+        Camera::new(eye, [[T::ONE; 4]; 4], pixels).map(|camera| Camera::eye(&camera))
+    });
+    let draw = |arguments: &mut Arguments| (arguments.direction::<T>(), arguments.ecef::<T>());
+    visitor.function::<T, _, _>("Camera::pixel", draw, |(direction, point)| {
+        camera(direction).map(|camera| Camera::pixel(&camera, point))
+    });
+    visitor.function::<T, _, _>("Horizon::hides", draw, |(direction, point)| {
+        let eye = camera(direction).map(|camera| Camera::eye(&camera));
+        eye.map(|eye| Horizon::hides(&Horizon::new(Ellipsoid::wgs84(), T::of(-500.0), eye), point))
+    });
+    visitor.function::<T, _, _>("Detail::new", Arguments::units::<T, 2>, |[ratio, most]| {
+        let most = T::of(16.0) * most;
+        let levels = [8, 31].map(|finest| Detail::new(512, ratio, finest));
+        let samples = Detail::new(0, ratio, 8).map(|_| ());
+        (
+            samples,
+            levels.map(|detail| detail.and_then(|detail| Detail::anisotropic(detail, most)).map(|_| ())),
+        )
+    });
+    let Some(enclosure) = enclosure::<T>(Projection::Vertex) else {
+        return;
+    };
+    let draw = |arguments: &mut Arguments| (arguments.direction::<T>(), tile::<T>(arguments));
+    visitor.function::<T, _, _>("Camera::coverage", draw, |(direction, tile)| {
+        let bounds = Enclosure::of(&enclosure, tile, hills());
+        camera(direction).map(|camera| {
+            let horizon = Horizon::new(Ellipsoid::wgs84(), T::of(-500.0), Camera::eye(&camera));
+            (
+                Camera::coverage(&camera, &bounds),
+                Camera::sees(&camera, &bounds),
+                Horizon::hides_box(&horizon, &bounds),
+            )
+        })
+    });
+    let details = [Detail::new(256, T::of(1.5), 6), {
+        let detail = Detail::new(256, T::of(1.5), 6);
+        detail.and_then(|detail| Detail::anisotropic(detail, T::of(16.0)))
+    }];
+    for (detail, name) in details.into_iter().zip(["coverage", "anisotropic"]) {
+        let function = Function::of("Selection", name).calls(4);
+        visitor.visit::<T, _, _>(function, Arguments::direction::<T>, |direction| {
+            let (camera, detail) = (camera(direction)?, detail.ok()?);
+            let tiles = Selection::new(&enclosure, camera, detail, |_| hills());
+            let mut hash = Hash::default();
+            tiles.for_each(|tile| tile.add_to(&mut hash));
+            Some(hash.value())
+        });
+    }
+}
+
+fn lent(grid: &Grid) -> [&[f32]; 3] {
+    grid.each_ref().map(<[f32; 25]>::as_slice)
+}
+
+fn slots(grid: &mut Grid) -> [&mut [f32]; 3] {
+    grid.each_mut().map(<[f32; 25]>::as_mut_slice)
+}
+
+fn grid(arguments: &mut Arguments) -> Grid {
+    EMPTY.map(|column| column.map(|_| arguments.unit::<f32>()))
+}
+
+fn symmetries<V: Visitor>(visitor: &mut V) {
+    let draw = |arguments: &mut Arguments| (tile::<f64>(arguments), arguments.units::<f32, 3>());
+    visitor.function::<f64, _, _>("Tile::representative", draw, |(tile, vector)| {
+        let (representative, symmetry) = Tile::representative(tile);
+        (
+            representative,
+            Symmetry::place(symmetry, [1, 3], SAMPLES),
+            Symmetry::vector(symmetry, vector),
+        )
+    });
+    let draw = |arguments: &mut Arguments| (tile::<f64>(arguments), grid(arguments));
+    visitor.function::<f64, _, _>("Symmetry::fill", draw, |(tile, known)| {
+        let (_, symmetry) = Tile::representative(tile);
+        let mut carried = EMPTY;
+        let outcome = Symmetry::fill(symmetry, SAMPLES, lent(&known), slots(&mut carried));
+        let refused = Symmetry::fill(symmetry, 1, lent(&known), slots(&mut EMPTY.clone()));
+        (carried, outcome, refused)
+    });
+}
+
+fn patches<V: Visitor>(visitor: &mut V, projection: Projection) {
+    let Ok(map) = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection) else {
+        return;
+    };
+    let patches = Patches::new(map);
+    let name = |function| Function::of(function, Projection::name(projection));
+    visitor.visit::<f64, _, _>(name("Patches::fill").calls(32), tile::<f64>, |tile| {
+        let (mut displacements, mut normals) = (EMPTY, EMPTY);
+        let patch = Patches::fill(&patches, tile, SAMPLES, slots(&mut displacements), slots(&mut normals));
+        (patch, displacements, normals)
+    });
+    let draw = |arguments: &mut Arguments| {
+        (
+            tile::<f64>(arguments),
+            arguments.ecef::<f64>(),
+            arguments.units::<f32, 2>(),
+        )
+    };
+    visitor.visit::<f64, _, _>(name("Patches::series"), draw, |(tile, camera, place)| {
+        let series = Patches::series(&patches, tile);
+        series.map(|series| (series, Series::origin(&series, camera), Series::offset(&series, place)))
+    });
+    if projection != Projection::Vertex {
+        return;
+    }
+    visitor.visit::<f64, _, _>(name("Patches::of"), draw, |(tile, camera, place)| {
+        let patch = Patches::of(&patches, tile);
+        let seen = Patch::seen_from(&patch, camera);
+        let normals = Patch::normals(&patch);
+        let plain = Vertices::plain(&seen, place, normals, 120.0);
+        (patch, Vertices::corners(&seen), plain)
+    });
+    let draw = |arguments: &mut Arguments| {
+        let seen = (tile::<f64>(arguments), arguments.ecef::<f64>());
+        (seen, grid(arguments), grid(arguments))
+    };
+    visitor.visit::<f64, _, _>(
+        name("Vertices::fill").calls(32),
+        draw,
+        |((tile, camera), displacements, normals)| {
+            let seen = Patch::seen_from(&Patches::of(&patches, tile), camera);
+            let [heights, ..] = displacements;
+            let mut vertices = EMPTY;
+            let outcome = Vertices::fill(
+                &seen,
+                SAMPLES,
+                lent(&displacements),
+                lent(&normals),
+                &heights,
+                slots(&mut vertices),
+            );
+            let one = Vertices::at(&seen, [1, 3], SAMPLES, [0.5, 0.25, 0.75], [1.0, 0.0, 0.0], 120.0);
+            (vertices, outcome, one)
+        },
+    );
+    let level = |arguments: &mut Arguments| arguments.below(31) as u8;
+    visitor.visit::<f64, _, _>(name("Patches::flatness").calls(1), level, |level| {
+        let sphere = Patches::map(&patches).shifted().ellipsoid();
+        (Patches::flatness(&patches, level), sphere)
+    });
+    visitor.visit::<f64, _, _>(
+        name("Patches::plain_level").calls(1),
+        Arguments::unit::<f64>,
+        |tolerance| Patches::plain_level(&patches, 1e5 * (2.0 + tolerance), hills()),
+    );
+    visitor.visit::<f64, _, _>(name("Patches::skirt").calls(1), level, |level| {
+        Patches::skirt(&patches, level, 65, hills())
+    });
+    visitor.visit::<f64, _, _>(name("Patches::truncation").calls(1), level, |level| {
+        Patches::truncation(&patches, level)
+    });
+}
+
+fn splits<V: Visitor>(visitor: &mut V) {
+    let two = |arguments: &mut Arguments| [arguments.ecef::<f64>(), arguments.ecef()];
+    visitor.function::<f64, _, _>("Split::new", two, |points| {
+        let [point, camera] = points.map(Split::new);
+        (Split::high(point), Split::low(point), Split::seen_from(point, camera))
+    });
+}
+
+/// A type by the parts that its own functions or fields give.
+macro_rules! parts {
+    ($($type:ty |$value:ident| $parts:expr;)*) => {$(
+        impl Bits for $type {
+            fn add_to(&self, hash: &mut Hash) {
+                let $value = self;
+                $parts.add_to(hash);
+            }
+        }
+    )*};
+}
+
+parts! {
+    Tile |t| (Tile::face(*t), Tile::level(*t), Tile::i(*t), Tile::j(*t));
+    Adjacent |a| (a.tile, a.edge, a.turns);
+    Diagonal |d| (d.tile, d.corner, d.turns);
+    Patch |p| (Patch::corners(p), Patch::normals(p));
+    Series |s| (Series::anchor(s), Series::coefficients(s));
+    Flatness |f| [f.displacement, f.turning];
+    InvalidKey |why| why.0;
+    InvalidTile |why| match why {
+        InvalidTile::Level(level) => (*level, None),
+        InvalidTile::Column { level, i } => (*level, Some((false, *i))),
+        InvalidTile::Row { level, j } => (*level, Some((true, *j))),
+    };
+    InvalidToken |why| match why {
+        InvalidToken::Length(length) => (Some(*length), None, None),
+        InvalidToken::Digit(character) => (None, Some(u32::from(*character)), None),
+        InvalidToken::Key(key) => (None, None, Some(*key)),
+    };
+    InvalidPatch |why| match why {
+        InvalidPatch::Samples(samples) => (Some(*samples), None),
+        InvalidPatch::Length { expected, length } => (None, Some([*expected, *length])),
+    };
+}
+
+impl Bits for Around {
+    fn add_to(&self, hash: &mut Hash) {
+        Around::as_slice(self).iter().for_each(|tile| tile.add_to(hash));
+    }
+}
+
+impl Bits for Along {
+    fn add_to(&self, hash: &mut Hash) {
+        (Along::edge(self), Along::turns(self), self.len()).add_to(hash);
+        (*self).for_each(|tile| tile.add_to(hash));
+    }
+}
+
+/// The same for what has a scalar.
+macro_rules! scalar_parts {
+    ($($type:ident |$value:ident| $parts:expr;)*) => {$(
+        impl<T: Scalar> Bits for $type<T> {
+            fn add_to(&self, hash: &mut Hash) {
+                let $value = self;
+                $parts.add_to(hash);
+            }
+        }
+    )*};
+}
+
+scalar_parts! {
+    OrientedBox |b| (OrientedBox::centre(b), OrientedBox::axes(b), OrientedBox::half(b));
+    BoundingSphere |s| (s.centre, s.radius);
+    InvalidHeights |why| [why.low, why.high];
+    InvalidPlace |why| [why.s, why.t];
+    InvalidCamera |why| match why {
+        InvalidCamera::Matrix(entry) => (false, *entry),
+        InvalidCamera::Pixels(count) => (true, *count),
+    };
+    InvalidDetail |why| match why {
+        InvalidDetail::Samples => (None, None),
+        InvalidDetail::Ratio(ratio) => (Some((false, *ratio)), None),
+        InvalidDetail::Anisotropy(most) => (Some((true, *most)), None),
+        InvalidDetail::Level(tile) => (None, Some(*tile)),
+    };
+}
