@@ -380,7 +380,7 @@ fn claim_of<T: Scalar>(method: Method, ellipsoid: Ellipsoid<T>, lat: f64, distan
         }
         Method::GreatCircle => {
             let [length, azimuth, end, per] = if single {
-                [3.0e-7, 3.2e-7, 6.0e-7, 6e-8]
+                [3.0e-7, 3.5e-7, 6.0e-7, 6e-8]
             } else {
                 [5.0e-16, 6.0e-16, 1.1e-15, 1e-16]
             };
