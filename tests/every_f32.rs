@@ -56,17 +56,40 @@ fn pieces(from: f32, to: f32) -> impl ParallelIterator<Item = std::ops::RangeInc
     })
 }
 
-/// The worst of a function's results over all numbers from one to another of the same sign: what it gives, and what it should.
-fn over<const N: usize>(from: f32, to: f32, judge: impl Fn(f32) -> [(f32, f64); N] + Sync) -> [Worst; N] {
+/// Numbers at a time, so that what is tried runs as wide as the machine is.
+const BLOCK: usize = 64;
+
+/// The worst of a function's results over all numbers from one to another of the same sign; and that of the opposite number each result is
+/// the same, but for this sign, in every bit. A sign of 0 says nothing.
+fn over<const N: usize>(
+    [from, to]: [f32; 2],
+    signs: [f32; N],
+    found: impl Fn(f32) -> [f32; N] + Sync,
+    exact: impl Fn(f64) -> [f64; N] + Sync,
+) -> [Worst; N] {
     let piece = |bits: std::ops::RangeInclusive<u32>| {
         let mut worst = [Worst::default(); N];
-        for bits in bits {
-            let at = f32::from_bits(bits);
-            for (worst, (found, exact)) in worst.iter_mut().zip(judge(at)) {
-                *worst = worst.or(Worst {
-                    ulp: ulps(found, exact),
-                    at,
-                });
+        let (first, last) = (*bits.start(), *bits.end());
+        for start in (first..=last).step_by(BLOCK) {
+            // Past the end the last one again.
+            let at: [f32; BLOCK] = std::array::from_fn(|i| f32::from_bits(last.min(start.saturating_add(i as u32))));
+            let results = at.map(&found);
+            let opposite = at.map(|x| found(-x));
+            for ((at, result), opposite) in at.into_iter().zip(results).zip(opposite) {
+                let truth = exact(f64::from(at));
+                for i in 0..N {
+                    let mirrored = signs[i] * result[i];
+                    assert!(
+                        signs[i] == 0.0 || mirrored.to_bits() == opposite[i].to_bits(),
+                        "{at:e} and its opposite: {:e} {:e}",
+                        result[i],
+                        opposite[i]
+                    );
+                    worst[i] = worst[i].or(Worst {
+                        ulp: ulps(result[i], truth[i]),
+                        at,
+                    });
+                }
             }
         }
         worst
@@ -86,50 +109,29 @@ fn claim(what: &str) -> f64 {
     table::claim(what)[1]
 }
 
-/// That a function is odd, or even, in every bit, over numbers from 0 on.
-fn mirrors(to: f32, pair: impl Fn(f32) -> (f32, f32) + Sync) {
-    pieces(0.0, to).for_each(|bits| {
-        for bits in bits {
-            let (positive, negative) = pair(f32::from_bits(bits));
-            assert!(
-                positive.to_bits() == negative.to_bits(),
-                "at {:e}",
-                f32::from_bits(bits)
-            );
-        }
-    });
-}
-
 #[test]
 #[ignore = "10⁹ numbers"]
 fn sin_cos() {
     let limit = 100.0;
-    let [sin, cos] = over(0.0, limit, |x| {
-        let ((s, c), (sin, cos)) = (math::sin_cos(x), f64::from(x).sin_cos());
-        [(s, sin), (c, cos)]
-    });
+    let [sin, cos] = over(
+        [0.0, limit],
+        [-1.0, 1.0],
+        |x| math::sin_cos(x).into(),
+        |x| x.sin_cos().into(),
+    );
     hold("math::sin_cos, sine", sin, claim("math::sin_cos"));
     hold("math::sin_cos, cosine", cos, claim("math::sin_cos"));
-    mirrors(limit, |x| (math::sin_cos(x).0, -math::sin_cos(-x).0));
-    mirrors(limit, |x| (math::sin_cos(x).1, math::sin_cos(-x).1));
-    pieces(limit.next_up(), f32::from_bits(0x7FFF_FFFF)).for_each(|bits| {
-        for x in bits.map(f32::from_bits) {
-            let ((a, b), (c, d)) = (math::sin_cos(x), math::sin_cos(-x));
-            assert!(a.is_nan() && b.is_nan() && c.is_nan() && d.is_nan(), "{x:e}");
-        }
-    });
 }
 
 /// Sine and cosine of degrees, reduced to 45° exactly.
-fn exact_degrees(x: f32) -> (f64, f64) {
-    let x = f64::from(x);
+fn exact_degrees(x: f64) -> [f64; 2] {
     let quarters = (x / 90.0).round();
     let (sin, cos) = (x - 90.0 * quarters).to_radians().sin_cos();
     match quarters as i64 & 3 {
-        0 => (sin, cos),
-        1 => (cos, -sin),
-        2 => (-sin, -cos),
-        _ => (-cos, sin),
+        0 => [sin, cos],
+        1 => [cos, -sin],
+        2 => [-sin, -cos],
+        _ => [-cos, sin],
     }
 }
 
@@ -137,86 +139,116 @@ fn exact_degrees(x: f32) -> (f64, f64) {
 #[ignore = "10⁹ numbers"]
 fn sin_cos_degrees() {
     let limit = 1e6;
-    let [sin, cos] = over(0.0, limit, |x| {
-        let ((s, c), (sin, cos)) = (math::sin_cos_degrees(x), exact_degrees(x));
-        [(s, sin), (c, cos)]
-    });
+    let found = |x| math::sin_cos_degrees(x).into();
+    let [sin, cos] = over([0.0, limit], [-1.0, 1.0], found, exact_degrees);
     hold("math::sin_cos_degrees, sine", sin, claim("math::sin_cos_degrees"));
     hold("math::sin_cos_degrees, cosine", cos, claim("math::sin_cos_degrees"));
-    mirrors(limit, |x| (math::sin_cos_degrees(x).0, -math::sin_cos_degrees(-x).0));
-    mirrors(limit, |x| (math::sin_cos_degrees(x).1, math::sin_cos_degrees(-x).1));
+}
+
+#[test]
+#[ignore = "10⁹ numbers"]
+fn beyond_their_limits_they_are_not_numbers() {
+    let not_a_number = |limit: f32, found: fn(f32) -> (f32, f32)| {
+        pieces(limit.next_up(), f32::from_bits(0x7FFF_FFFF)).for_each(|bits| {
+            for x in bits.map(f32::from_bits) {
+                let ((a, b), (c, d)) = (found(x), found(-x));
+                assert!(a.is_nan() && b.is_nan() && c.is_nan() && d.is_nan(), "{x:e}");
+            }
+        });
+    };
+    not_a_number(100.0, math::sin_cos);
+    not_a_number(1e6, math::sin_cos_degrees);
 }
 
 #[test]
 #[ignore = "10⁹ numbers"]
 fn tan() {
     let limit = std::f32::consts::FRAC_PI_4;
-    let [worst] = over(0.0, limit, |x| [(math::tan(x), f64::from(x).tan())]);
+    let [worst] = over([0.0, limit], [-1.0], |x| [math::tan(x)], |x| [x.tan()]);
     hold("math::tan", worst, claim("math::tan"));
-    mirrors(limit, |x| (math::tan(x), -math::tan(-x)));
 }
 
 #[test]
 #[ignore = "2·10⁹ numbers"]
 fn atan() {
-    let [worst] = over(0.0, f32::INFINITY, |x| [(math::atan(x), f64::from(x).atan())]);
+    let [worst] = over([0.0, f32::MAX], [-1.0], |x| [math::atan(x)], |x| [x.atan()]);
     hold("math::atan", worst, claim("math::atan"));
-    mirrors(f32::INFINITY, |x| (math::atan(x), -math::atan(-x)));
 }
 
 #[test]
 #[ignore = "2·10⁹ numbers"]
 fn cbrt() {
-    let [worst] = over(f32::MIN_POSITIVE, f32::INFINITY, |x| {
-        [(math::cbrt(x), f64::from(x).cbrt())]
-    });
+    let all = [f32::MIN_POSITIVE, f32::INFINITY];
+    let [worst] = over(all, [-1.0], |x| [math::cbrt(x)], |x| [x.cbrt()]);
     hold("math::cbrt", worst, claim("math::cbrt"));
-    mirrors(f32::INFINITY, |x| (math::cbrt(x), -math::cbrt(-x)));
 }
 
 #[test]
 #[ignore = "2·10⁹ numbers"]
 fn sqrt() {
-    let [worst] = over(0.0, f32::INFINITY, |x| [(Real::sqrt(x), f64::from(x).sqrt())]);
+    let [worst] = over([0.0, f32::INFINITY], [0.0], |x| [Real::sqrt(x)], |x| [x.sqrt()]);
     hold("Real::sqrt", worst, 0.5);
 }
 
 #[test]
 #[ignore = "5·10⁹ numbers"]
 fn logarithms_and_powers() {
-    // To where the result is the largest number, and where it is −1.
-    let power = |x: f32| [(math::exp_m1(x), f64::from(x).exp_m1())];
-    let [above] = over(0.0, 88.722_83, power);
-    let [below] = over(-0.0, -120.0, power);
-    hold("math::exp_m1", above.or(below), claim("math::exp_m1"));
-    let [worst] = over(f32::from_bits(1), f32::MAX, |x| [(math::log2(x), f64::from(x).log2())]);
+    let either_sign = |found: fn(f32) -> f32, exact: fn(f64) -> f64, from: f32, to: f32| {
+        let part = |ends| over(ends, [0.0], |x| [found(x)], |x| [exact(x)])[0];
+        part([0.0, to]).or(part([-0.0, from]))
+    };
+    // From where the result is −1 to where it is the largest number.
+    let worst = either_sign(math::exp_m1, f64::exp_m1, -120.0, 88.722_83);
+    hold("math::exp_m1", worst, claim("math::exp_m1"));
+    let [worst] = over(
+        [f32::from_bits(1), f32::MAX],
+        [0.0],
+        |x| [math::log2(x)],
+        |x| [x.log2()],
+    );
     hold("math::log2", worst, claim("math::log2"));
 }
 
-/// Of the quadrilateralized cube the two functions of one number, which its edges show: y there of the gnomonic coordinate, and back.
+/// Of the quadrilateralized cube the two functions of one number, which its edges show: y there of the gnomonic coordinate, and the
+/// components of the direction, back.
 #[test]
 #[ignore = "2·10⁹ numbers"]
 fn quadrilateralized() {
-    let forward = |t: f32| {
-        // The vector rounded to unit length has a coordinate of its own.
+    // The vector rounded to unit length has a coordinate of its own.
+    let unit = |t: f32| {
         let length = (2.0 + f64::from(t) * f64::from(t)).sqrt();
-        let [long, short] = [1.0 / length, f64::from(t) / length].map(|v| v as f32);
-        let [_, y] = Quadrilateralized.forward(Face::Front, [long, short, long]);
-        let t = f64::from(short) / f64::from(long);
-        [(y, 12.0 / PI * (t.atan() - (t / (2.0 + t * t).sqrt()).atan()))]
+        [1.0 / length, f64::from(t) / length].map(|v| v as f32)
     };
-    let inverse = |m: f32| {
-        let [right, up, _] = Quadrilateralized.inverse(Face::Front, [1.0, m]);
-        let angle = PI / 12.0 * f64::from(m);
-        let t = angle.sin() / (angle.cos() - std::f64::consts::FRAC_1_SQRT_2);
-        // The component itself: the other is the secant's inverse.
-        [(up, t / (2.0 + t * t).sqrt()), (right, 1.0 / (2.0 + t * t).sqrt())]
-    };
-    let [m] = over(0.0, 1.0, forward);
+    let [m] = over(
+        [0.0, 1.0],
+        [-1.0],
+        |t| {
+            let [long, short] = unit(t);
+            [Quadrilateralized.forward(Face::Front, [long, short, long])[1]]
+        },
+        |t| {
+            let [long, short] = unit(t as f32).map(f64::from);
+            let t = short / long;
+            [12.0 / PI * (t.atan() - (t / (2.0 + t * t).sqrt()).atan())]
+        },
+    );
     hold("quadrilateralized, y on the edge", m, 2.0);
-    let [up, right] = over(0.0, 1.0, inverse);
-    hold("quadrilateralized, a component on the edge", up, 3.0);
-    hold("quadrilateralized, the other", right, 2.0);
+    let [right, up] = over(
+        [0.0, 1.0],
+        [1.0, -1.0],
+        |m| {
+            let [right, up, _] = Quadrilateralized.inverse(Face::Front, [1.0, m]);
+            [right, up]
+        },
+        |m| {
+            let (sin, cos) = (PI / 12.0 * m).sin_cos();
+            let t = sin / (cos - std::f64::consts::FRAC_1_SQRT_2);
+            let length = (2.0 + t * t).sqrt();
+            [1.0 / length, t / length]
+        },
+    );
+    hold("quadrilateralized, to the right on the edge", right, 1.5);
+    hold("quadrilateralized, up on the edge", up, 3.0);
 }
 
 /// Of the vertex cube, likewise, on the midline.
@@ -224,30 +256,35 @@ fn quadrilateralized() {
 #[ignore = "2·10⁹ numbers"]
 fn vertex() {
     let third = (1.0_f64 / 3.0).sqrt();
-    let forward = |u: f32| {
-        let [x, _] = Vertex.forward(Face::Front, [u, 0.0, 1.0]);
-        // The area of the triangle between the corner, the centre and the point of the midline.
-        let u = f64::from(u);
-        let (sin, cos) = (u / (1.0 + u * u).sqrt(), 1.0 / (1.0 + u * u).sqrt());
-        let area = 2.0 * (sin * third).atan2(1.0 + third + cos + (sin + cos) * third);
-        [(x, 12.0 / PI * area)]
-    };
-    let inverse = |t: f32| {
-        let [right, _, outward] = Vertex.inverse(Face::Front, [t, 0.0]);
-        let tangent = (PI / 24.0 * f64::from(t)).tan();
-        let k = (3f64.sqrt() - 1.0) / std::f64::consts::SQRT_2;
-        let half = std::f64::consts::SQRT_2 * tangent / (k * (1.0 - tangent));
-        let square = half * half;
-        [
-            (right, 2.0 * half / (1.0 + square)),
-            (outward, (1.0 - square) / (1.0 + square)),
-        ]
-    };
-    let [t] = over(0.0, 1.0, forward);
+    let [t] = over(
+        [0.0, 1.0],
+        [-1.0],
+        |u| [Vertex.forward(Face::Front, [u, 0.0, 1.0])[0]],
+        |u| {
+            // The area of the triangle between the corner, the centre and the point of the midline.
+            let cos = 1.0 / (1.0 + u * u).sqrt();
+            let sin = u * cos;
+            [24.0 / PI * (sin * third).atan2(1.0 + third + cos + (sin + cos) * third)]
+        },
+    );
     hold("vertex, x on the midline", t, 4.0);
-    let [right, outward] = over(0.0, 1.0, inverse);
-    hold("vertex, a component on the midline", right, 4.0);
-    hold("vertex, the other", outward, 2.0);
+    let [right, outward] = over(
+        [0.0, 1.0],
+        [-1.0, 1.0],
+        |t| {
+            let [right, _, outward] = Vertex.inverse(Face::Front, [t, 0.0]);
+            [right, outward]
+        },
+        |t| {
+            let tangent = (PI / 24.0 * t).tan();
+            let k = (3f64.sqrt() - 1.0) / std::f64::consts::SQRT_2;
+            let half = std::f64::consts::SQRT_2 * tangent / (k * (1.0 - tangent));
+            let square = half * half;
+            [2.0 * half / (1.0 + square), (1.0 - square) / (1.0 + square)]
+        },
+    );
+    hold("vertex, to the right on the midline", right, 4.0);
+    hold("vertex, outward on the midline", outward, 1.5);
 }
 
 /// Latitudes on the Earth from 2⁻²⁰ on, below which they are in proportion; in radians.

@@ -2,7 +2,7 @@ use super::minimax::ATAN;
 use super::{either, halves, max, min, select};
 use crate::Real;
 
-/// Arc tangent in radians, in [−π/2, π/2].
+/// Arc tangent of a finite number in radians, in [−π/2, π/2].
 ///
 /// Within 0.85 ulp.
 ///

@@ -6,8 +6,8 @@
 //! | [`sin_cos`] | \|x\| ≤ 10⁵ (f64), 100 (f32) rad | 0.8 ulp | 0.8 ulp |
 //! | [`sin_cos_degrees`] | \|x\| ≤ 10⁹ (f64), 10⁶ (f32) ° | 0.8 ulp | 0.8 ulp |
 //! | [`tan`] | \|x\| ≤ π/4 | 1.2 ulp | 1.2 ulp |
-//! | [`atan`], [`atan2`] | all | 0.85 ulp | 0.85 ulp |
-//! | [`atan2_degrees`] | all | 0.85 ulp | 0.85 ulp |
+//! | [`atan`], [`atan2`] | finite | 0.85 ulp | 0.85 ulp |
+//! | [`atan2_degrees`] | finite | 0.85 ulp | 0.85 ulp |
 //! | [`cbrt`] | normal | 1 ulp | 1 ulp |
 //! | [`exp_m1`] | all | 0.75 ulp | 0.75 ulp |
 //! | [`log2`] | all | 0.85 ulp | 0.85 ulp |
