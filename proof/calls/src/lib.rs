@@ -16,6 +16,7 @@ mod geodesic;
 mod latitude;
 mod math;
 mod position;
+#[cfg(feature = "terrain")]
 mod terrain;
 
 use core::fmt;
@@ -150,5 +151,6 @@ pub fn every_in<T: Scalar, V: Visitor>(visitor: &mut V) {
     distortion::show::<T, V>(visitor);
     geodesic::show::<T, V>(visitor);
     batch::show::<T, V>(visitor);
+    #[cfg(feature = "terrain")]
     terrain::show::<T, V>(visitor);
 }

@@ -48,11 +48,8 @@ fn scalar<T: Scalar, V: Visitor>(visitor: &mut V) {
         (Real::polynomial(x, &COSINE), T::complex_polynomial([x, y], &COSINE))
     });
     visitor.function::<T, _, _>("Real::floor", unit, |x| {
-        [
-            i64::from(Real::floor(x * T::of(1e3))),
-            i64::from(Real::to_byte(T::from_byte(200))),
-        ]
-        .map(|n| n as usize)
+        let bytes = u32::from(Real::to_byte(T::from_byte(200)));
+        (Real::floor(x * T::of(1e3)).cast_unsigned(), bytes)
     });
     visitor.function::<T, _, _>("Real, by precision", unit, |x| {
         let counts = [T::terms(7, 3), T::steps(7, 3)];
