@@ -141,7 +141,12 @@ impl Face {
     #[allow(clippy::indexing_slicing)] // as many entries as there are numbers of that many bits
     fn pick<T: Real>(self, table: &[[u8; 3]; 8], [a, b, c]: [T; 3]) -> [T; 3] {
         let signed = [a, b, c, c, -a, -b, -c, -c];
-        table[usize::from(self as u8 & 7)].map(|at| signed[usize::from(at & 7)])
+        let [first, second, third] = table[usize::from(self as u8 & 7)];
+        [
+            signed[usize::from(first & 7)],
+            signed[usize::from(second & 7)],
+            signed[usize::from(third & 7)],
+        ]
     }
 
     /// What lies across an edge.
