@@ -236,6 +236,16 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[inline(always)]
+    fn from_byte(byte: u8) -> Self {
+        Self::constant(T::from_byte(byte))
+    }
+
+    #[inline(always)]
+    fn to_byte(self) -> u8 {
+        self.value.to_byte()
+    }
+
+    #[inline(always)]
     fn whole(number: u64) -> Self {
         Self::constant(T::whole(number))
     }
@@ -344,6 +354,16 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         Self::constant(self.value.cbrt_guess())
     }
 
+    #[inline(always)]
+    fn exponent(self) -> Self {
+        Self::constant(self.value.exponent())
+    }
+
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Self::constant(self.value.power_of_two())
+    }
+
     #[inline]
     fn remainder(self, divisor: Self) -> Self {
         let value = self.value.remainder(divisor.value);
@@ -352,21 +372,5 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
             value,
             slopes: self.slopes_with(divisor, |a, b| a - turns * b),
         }
-    }
-
-    #[inline]
-    fn ln_1p(self) -> Self {
-        self.chain(self.value.ln_1p(), T::ONE / (T::ONE + self.value))
-    }
-
-    #[inline]
-    fn exp_m1(self) -> Self {
-        let value = self.value.exp_m1();
-        self.chain(value, value + T::ONE)
-    }
-
-    #[inline]
-    fn log2(self) -> Self {
-        self.chain(self.value.log2(), T::of(core::f64::consts::LOG2_E) / self.value)
     }
 }

@@ -3,7 +3,7 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::math::{Polynomial, complex_polynomial};
+use crate::math::{Polynomial, complex_polynomial, remainder};
 
 pub(crate) mod sealed {
     pub trait Sealed {}
@@ -68,6 +68,14 @@ pub trait Real:
     /// The scalar nearest to a whole number.
     #[must_use]
     fn whole(number: u64) -> Self;
+
+    /// The scalar equal to a byte, by setting bits, which vectorises on every machine.
+    #[must_use]
+    fn from_byte(byte: u8) -> Self;
+
+    /// The byte equal to a whole number in 0 to 255: the inverse of [`from_byte`](Self::from_byte).
+    #[must_use]
+    fn to_byte(self) -> u8;
 
     /// One of two constants, by precision.
     #[must_use]
@@ -152,25 +160,21 @@ pub trait Real:
     #[must_use]
     fn cbrt_guess(self) -> Self;
 
+    /// The whole number k with √½ ≤ x/2ᵏ < √2, of a positive normal number x (from its bits).
+    #[must_use]
+    fn exponent(self) -> Self;
+
+    /// 2ⁿ of a whole number n, −1022 ≤ n ≤ 1023 (`f64`) or −126 ≤ n ≤ 127 (`f32`) (by its bits).
+    #[must_use]
+    fn power_of_two(self) -> Self;
+
     /// The remainder of `self / divisor` with the sign of `self`; exact.
     #[must_use]
     fn remainder(self, divisor: Self) -> Self;
-
-    /// ln(1 + x), within 1 ulp.
-    #[must_use]
-    fn ln_1p(self) -> Self;
-
-    /// eˣ − 1, within 1 ulp.
-    #[must_use]
-    fn exp_m1(self) -> Self;
-
-    /// The logarithm to base 2, within 1 ulp.
-    #[must_use]
-    fn log2(self) -> Self;
 }
 
 macro_rules! real {
-    ($float:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path, $fmod:path, $log1p:path, $expm1:path, $log2:path) => {
+    ($float:ident, $bits:ident, $table:ident, $magic:expr, $cbrt:expr, $sqrt:path) => {
         impl Real for $float {
             type Plain = Self;
 
@@ -199,6 +203,16 @@ macro_rules! real {
             }
 
             #[inline(always)]
+            fn from_byte(byte: u8) -> Self {
+                $float::from_bits(<$float>::to_bits($magic) | $bits::from(byte)) - $magic
+            }
+
+            #[inline(always)]
+            fn to_byte(self) -> u8 {
+                (self + $magic).to_bits() as u8
+            }
+
+            #[inline(always)]
             fn pick(_for_f64: f64, _for_f32: f32) -> Self {
                 real!(@pick $float, _for_f64, _for_f32)
             }
@@ -206,7 +220,7 @@ macro_rules! real {
             #[inline(always)]
             fn polynomial<const N: usize, const M: usize>(self, coefficients: &Polynomial<N, M>) -> Self {
                 let table = &coefficients.$table;
-                if table.len() <= 12 {
+                if table.len() <= 8 {
                     let mut terms = table.iter().rev();
                     let mut sum = terms.next().copied().unwrap_or(0.0);
                     for &c in terms {
@@ -217,13 +231,11 @@ macro_rules! real {
                 let square = self * self;
                 let (groups, rest) = table.as_chunks::<3>();
                 let cube = square * self;
-                let mut sums = [0.0; 3];
-                for (sum, &c) in sums.iter_mut().zip(rest) {
-                    *sum = c;
-                }
+                // Of the last terms there may be fewer than three: the other sums begin with the group before.
                 let mut groups = groups.iter().rev();
-                if rest.is_empty() {
-                    sums = groups.next().copied().unwrap_or(sums);
+                let mut sums = groups.next().copied().unwrap_or([0.0; 3]);
+                for (sum, &c) in sums.iter_mut().zip(rest) {
+                    *sum += c * cube;
                 }
                 for group in groups {
                     for (sum, c) in sums.iter_mut().zip(group) {
@@ -303,24 +315,25 @@ macro_rules! real {
                 $float::from_bits(self.to_bits() / 3 + $cbrt)
             }
 
+            #[inline(always)]
+            fn exponent(self) -> Self {
+                // The bits of √½ to those of 1, and the exponent to where 2⁵² (2²³) has its units.
+                const ROOT: $float = core::$float::consts::FRAC_1_SQRT_2;
+                const UNITS: $float = 1.0 / $float::EPSILON;
+                const BITS: u32 = $float::MANTISSA_DIGITS - 1;
+                let exponent = self.to_bits().wrapping_add((1.0 as $float).to_bits() - ROOT.to_bits()) >> BITS;
+                $float::from_bits(UNITS.to_bits() | exponent) - (UNITS + ($float::MAX_EXP - 1) as $float)
+            }
+
+            #[inline(always)]
+            fn power_of_two(self) -> Self {
+                const BITS: u32 = $float::MANTISSA_DIGITS - 1;
+                $float::from_bits((self + ($magic + ($float::MAX_EXP - 1) as $float)).to_bits() << BITS)
+            }
+
             #[inline]
             fn remainder(self, divisor: Self) -> Self {
-                $fmod(self, divisor)
-            }
-
-            #[inline]
-            fn ln_1p(self) -> Self {
-                $log1p(self)
-            }
-
-            #[inline]
-            fn exp_m1(self) -> Self {
-                $expm1(self)
-            }
-
-            #[inline]
-            fn log2(self) -> Self {
-                $log2(self)
+                remainder(self, divisor)
             }
         }
     };
@@ -331,23 +344,10 @@ macro_rules! real {
 // The cube root's offsets are two thirds of the exponent bias, less what halves the worst error (Kahan; FreeBSD's cbrt).
 real!(
     f64,
+    u64,
     f64,
     6_755_399_441_055_744.0,
     0x2A9F_7893_0000_0000,
-    libm::sqrt,
-    libm::fmod,
-    libm::log1p,
-    libm::expm1,
-    libm::log2
+    libm::sqrt
 );
-real!(
-    f32,
-    f32,
-    12_582_912.0,
-    0x2A51_2CE3,
-    libm::sqrtf,
-    libm::fmodf,
-    libm::log1pf,
-    libm::expm1f,
-    libm::log2f
-);
+real!(f32, u32, f32, 12_582_912.0, 0x2A51_2CE3, crate::math::sqrt_f32);

@@ -59,8 +59,8 @@ fn kernels<T: Real + Into<f64>>(arguments: &mut Arguments, hash: &mut Hash) {
     hash.add([
         math::atan2_degrees(x, y),
         math::cbrt(x),
-        x.ln_1p(),
-        x.exp_m1(),
+        math::exp_m1(x),
+        math::log2(y.abs()),
         x.abs().sqrt(),
     ]);
 }
@@ -164,13 +164,13 @@ fn bits_are_the_same_everywhere() {
     ];
     // A change of the arithmetic changes these on purpose; a change of machine or features never does.
     let expected = [
-        ("kernels", 0x6921_4f32_7094_0c00, 0xb4b1_8506_c4b9_5dec),
-        ("positions", 0x74dd_4cc1_c08f_cd12, 0xa542_bc46_2967_22c2),
-        ("latitudes", 0x9688_8fe6_d6f5_f184, 0x08bd_41e2_5f17_f993),
-        ("shifts", 0x3791_6770_5f93_4b1d, 0x3e29_2b0a_73e9_5903),
-        ("projections", 0x0d77_7628_cb3c_d367, 0x5502_a987_3dd0_dcee),
-        ("geodesics", 0x9695_1a1e_481c_1f1b, 0x3d37_fb63_da8e_2795),
-        ("frames", 0x9c90_d908_c579_cc74, 0xc277_956a_1c5a_f79f),
+        ("kernels", 0x1dc6_e8a7_4dba_14b1, 0xb9fd_ad13_6959_8646),
+        ("positions", 0x5013_a304_7c7f_81ba, 0xa542_bc46_2967_22c2),
+        ("latitudes", 0x9ecb_5e2d_7b36_67c0, 0x1e7e_e8ab_df88_b2dd),
+        ("shifts", 0x9f8a_6de9_64eb_96a7, 0x0b31_1567_8350_ddc4),
+        ("projections", 0xa36a_6de4_0666_118b, 0x3c87_581e_5f85_c502),
+        ("geodesics", 0x687c_5c9a_871a_b66c, 0x3d37_fb63_da8e_2795),
+        ("frames", 0x6c20_bb81_c99d_1714, 0xfecc_2a71_20f6_c652),
     ];
     assert_eq!(found, expected, "found {found:#x?}");
 }

@@ -14,251 +14,21 @@ use std::error::Error;
 use std::fmt::{Debug, Display};
 use std::str::FromStr;
 
-use proptest::prelude::*;
-use proptest::sample::select;
-use proptest::strategy::Union;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+#[allow(dead_code)] // shared
+#[path = "laws/scalar.rs"]
+mod scalar;
+
+use scalar::{Scalar, same};
 use terrella::cube::{
-    CubeMap, CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Projection,
-    UnknownProjection,
+    CubeMap, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Projection, UnknownProjection,
 };
 use terrella::latitude::{Conversion, InvalidLatitude, UnknownLatitude, UnknownShift, UnsupportedFlattening};
-use terrella::{
-    Direction, Ellipsoid, InvalidDirection, InvalidEllipsoid, InvalidLatLon, LatLon, Latitude, NAMED, Real, Shift,
-    Shifted,
-};
-
-trait Scalar: Real + Into<f64> + Debug {
-    const NAME: &'static str;
-    const MAX: Self;
-    const MIN_POSITIVE: Self;
-    fn from_raw(bits: u64) -> Self;
-    fn bits(self) -> u64;
-    /// The next larger number, of a finite one; of infinity, NaN.
-    fn above(self) -> Self;
-}
-
-macro_rules! scalar {
-    ($($float:ident $bits:ident)*) => {$(
-        impl Scalar for $float {
-            const NAME: &'static str = stringify!($float);
-            const MAX: Self = $float::MAX;
-            const MIN_POSITIVE: Self = $float::MIN_POSITIVE;
-            fn from_raw(bits: u64) -> Self {
-                $float::from_bits(bits as $bits)
-            }
-            fn bits(self) -> u64 {
-                self.to_bits().into()
-            }
-            fn above(self) -> Self {
-                if self == 0.0 {
-                    return Self::from_bits(1);
-                }
-                let bits = self.to_bits();
-                Self::from_bits(if self > 0.0 { bits + 1 } else { bits - 1 })
-            }
-        }
-    )*};
-}
-scalar!(f32 u32 f64 u64);
-
-/// Any bits at all, ordinary numbers, and those where something happens.
-fn anything<T: Scalar>() -> impl Strategy<Value = T> {
-    let special = [0.0, 1.0, 2.0, 45.0, 90.0, 180.0, 360.0, 540.0, f64::INFINITY, f64::NAN];
-    let mut special = special.map(T::of).to_vec();
-    special.extend([T::MAX, T::MIN_POSITIVE, T::from_raw(1), T::EPSILON]);
-    let positive = special.clone();
-    special.extend(positive.iter().map(|v| v.above()));
-    special.extend(positive.iter().map(|v| -*v));
-    Union::new([
-        any::<u64>().prop_map(T::from_raw).boxed(),
-        select(special).boxed(),
-        (-1.0..1.0).prop_map(T::of).boxed(),
-        (-1000.0..1000.0).prop_map(T::of).boxed(),
-    ])
-}
-
-/// Runs a property over many inputs, the same ones every time.
-fn check<S: Strategy>(strategy: S, property: impl Fn(S::Value) -> Result<(), TestCaseError>) {
-    let config = Config {
-        cases: 20_000,
-        failure_persistence: None,
-        ..Config::default()
-    };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
-    if let Err(failure) = runner.run(&strategy, property) {
-        panic!("{failure}");
-    }
-}
-
-fn same<T: Scalar>(a: T, b: T) -> bool {
-    a.bits() == b.bits() || (a.into().is_nan() && b.into().is_nan())
-}
-
-/// lon less the multiple of 360 that leaves it in [−180, 180], in whole numbers; 180 with the sign of lon.
-fn wrapped(lon: f64) -> f64 {
-    if lon.abs() <= 180.0 {
-        return lon;
-    }
-    let bits = lon.to_bits();
-    let exponent = ((bits >> 52) & 0x7FF) as i32 - 1075;
-    let significand = u128::from(bits & ((1 << 52) - 1) | 1 << 52);
-    // |lon| = significand · 2^exponent.
-    let (rest, circle, unit) = if exponent >= 0 {
-        let power = (0..exponent).fold(1, |power, _| power * 2 % 360);
-        (significand % 360 * power % 360, 360, 1.0)
-    } else {
-        let circle = 360 << -exponent;
-        (significand % circle, circle, 2f64.powi(exponent))
-    };
-    let signed = if rest > circle / 2 {
-        -((circle - rest) as f64)
-    } else {
-        rest as f64
-    };
-    signed * unit * lon.signum()
-}
-
-fn lat_lon_door<T: Scalar>() {
-    check((anything::<T>(), anything::<T>()), |(lat, lon)| {
-        let (exact_lat, exact_lon) = (lat.into(), lon.into());
-        match LatLon::new(lat, lon) {
-            Ok(p) => {
-                prop_assert!(exact_lat.abs() <= 90.0 && exact_lon.is_finite());
-                prop_assert!(same(p.lat(), lat));
-                prop_assert_eq!(p.lon().into(), wrapped(exact_lon));
-                if exact_lon.abs() <= 180.0 {
-                    prop_assert!(same(p.lon(), lon));
-                }
-            }
-            Err(InvalidLatLon::Latitude(refused)) => {
-                prop_assert!(exact_lat.abs() > 90.0 || exact_lat.is_nan());
-                prop_assert!(same(refused, lat));
-            }
-            Err(InvalidLatLon::Longitude(refused)) => {
-                prop_assert!(exact_lat.abs() <= 90.0 && !exact_lon.is_finite());
-                prop_assert!(same(refused, lon));
-            }
-        }
-        Ok(())
-    });
-}
-
-#[test]
-fn lat_lon_takes_latitudes_between_the_poles_and_wraps_exactly() {
-    lat_lon_door::<f64>();
-    lat_lon_door::<f32>();
-}
-
-#[test]
-fn longitude_wraps_as_by_hand() {
-    for (lon, expected) in [
-        (180.0, 180.0),
-        (-180.0, -180.0),
-        (181.0, -179.0),
-        (-181.0, 179.0),
-        (359.5, -0.5),
-        (360.0, 0.0),
-        (540.0, 180.0),
-        (-540.0, -180.0),
-        (720.25, 0.25),
-        (36_000_000_000_045.0, 45.0),
-    ] {
-        assert_eq!(LatLon::new(0.0, lon).unwrap().lon(), expected, "{lon}");
-        assert_eq!(wrapped(lon), expected, "{lon}: the test itself");
-    }
-}
-
-/// A vector scaled by a power of two to a largest component in [½, 2): exact.
-fn scaled<T: Scalar>(v: [T; 3]) -> [f64; 3] {
-    let v = v.map(Into::<f64>::into);
-    let largest = v.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-    let shift = -largest.log2().floor() as i32;
-    // In two steps, as 2^1074 is no number.
-    v.map(|c| c * 2f64.powi(shift / 2) * 2f64.powi(shift - shift / 2))
-}
-
-/// a·b − c·d to within two roundings of the result (Kahan).
-fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
-    let product = c * d;
-    let lost = c.mul_add(-d, product);
-    a.mul_add(b, -product) + lost
-}
-
-/// The length of a × b.
-fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> f64 {
-    let x = difference_of_products(ay, bz, az, by);
-    let y = difference_of_products(az, bx, ax, bz);
-    let z = difference_of_products(ax, by, ay, bx);
-    (x * x + y * y + z * z).sqrt()
-}
-
-/// |v|² − 1 without rounding that counts.
-fn excess(v: [f64; 3]) -> f64 {
-    let (mut sum, mut low) = (-1.0, 0.0);
-    for c in v {
-        let square = c * c;
-        low += c.mul_add(c, -square);
-        let next = sum + square;
-        let part = next - sum;
-        low += (sum - (next - part)) + (square - part);
-        sum = next;
-    }
-    sum + low
-}
-
-fn judge_direction<T: Scalar>([x, y, z]: [T; 3]) -> Result<(), TestCaseError> {
-    let v = [x, y, z].map(Into::<f64>::into);
-    let valid = v.iter().all(|c| c.is_finite()) && v != [0.0; 3];
-    match Direction::new(x, y, z) {
-        Ok(direction) => {
-            prop_assert!(valid);
-            let unit = direction.to_array();
-            let epsilon = T::EPSILON.into();
-            let exact = unit.map(Into::<f64>::into);
-            // Half of 4 ε, within which a vector is kept as it is, and the rounding of its square.
-            prop_assert!(
-                0.5 * excess(exact).abs() <= 2.75 * epsilon,
-                "{unit:?} is no unit vector"
-            );
-            let v = scaled([x, y, z]);
-            let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-            prop_assert!(cross(exact, v) <= 2.0 * epsilon * length, "{unit:?} is elsewhere");
-            for i in 0..3 {
-                prop_assert_eq!(exact[i].is_sign_negative(), v[i].is_sign_negative());
-            }
-            let [x, y, z] = unit;
-            prop_assert_eq!(Direction::new(x, y, z), Ok(direction), "not kept");
-        }
-        Err(InvalidDirection { x: rx, y: ry, z: rz }) => {
-            prop_assert!(!valid);
-            prop_assert!(same(rx, x) && same(ry, y) && same(rz, z));
-        }
-    }
-    Ok(())
-}
-
-fn direction_door<T: Scalar>() {
-    check([anything::<T>(), anything::<T>(), anything::<T>()], judge_direction);
-    // Next to unit vectors, on both sides of where a vector is kept as it is.
-    let near_unit = ([-1.0..1.0, -1.0..1.0, -1.0..1.0], -20..20).prop_map(|(v, steps)| {
-        let length = v.iter().map(|c: &f64| c * c).sum::<f64>().sqrt();
-        let stretch = 1.0 + 0.5 * f64::from(steps) * T::EPSILON.into();
-        v.map(|c| T::of(c / length * stretch))
-    });
-    check(near_unit, judge_direction);
-}
-
-#[test]
-fn direction_takes_vectors_of_any_length() {
-    direction_door::<f64>();
-    direction_door::<f32>();
-}
+use terrella::{Direction, Ellipsoid, InvalidDirection, InvalidLatLon, LatLon, Latitude, NAMED, Real, Shift, Shifted};
 
 fn lengths<T: Scalar>() {
-    let tiny = T::from_raw(1);
+    let tiny = T::from_bits(1);
     let third = T::of(1.0 / 3.0f64.sqrt());
-    for length in [T::MAX, T::MIN_POSITIVE, tiny, T::of(1e30), T::of(1e-30), T::ONE] {
+    for length in [T::LARGEST, T::SMALLEST_NORMAL, tiny, T::of(1e30), T::of(1e-30), T::ONE] {
         for sign in [T::ONE, -T::ONE] {
             let v = length * sign;
             let along = Direction::new(T::ZERO, v, T::ZERO).unwrap();
@@ -282,24 +52,6 @@ fn direction_at_the_ends_of_the_range() {
     lengths::<f32>();
 }
 
-fn face_point_door<T: Scalar>() {
-    check((0..6u8, anything::<T>(), anything::<T>()), |(index, x, y)| {
-        let face = Face::from_index(index).unwrap();
-        let valid = x.into().abs() <= 1.0 && y.into().abs() <= 1.0;
-        match FacePoint::new(face, x, y) {
-            Ok(p) => prop_assert!(valid && p.face() == face && same(p.x(), x) && same(p.y(), y)),
-            Err(InvalidFacePoint { x: rx, y: ry }) => prop_assert!(!valid && same(rx, x) && same(ry, y)),
-        }
-        Ok(())
-    });
-}
-
-#[test]
-fn face_point_takes_the_square() {
-    face_point_door::<f64>();
-    face_point_door::<f32>();
-}
-
 #[test]
 fn face_takes_0_to_5() {
     for index in 0..=u8::MAX {
@@ -310,48 +62,6 @@ fn face_takes_0_to_5() {
     }
 }
 
-fn ellipsoid_door<T: Scalar>() {
-    check((anything::<T>(), anything::<T>()), |(a, f)| {
-        let (axis, flattening) = (T::of(1e-15)..=T::of(1e15), T::of(-1000.0)..T::ONE);
-        match Ellipsoid::new(a, f) {
-            Ok(e) => {
-                prop_assert!(axis.contains(&a) && flattening.contains(&f));
-                prop_assert!(same(e.a(), a) && same(e.f(), f));
-                let radii = [e.b(), e.mean_radius(), e.authalic_radius(), e.volumetric_radius()];
-                prop_assert!(
-                    radii.iter().all(|r| r.is_finite() && *r > T::ZERO),
-                    "{:?} {:?}",
-                    e,
-                    radii
-                );
-                prop_assert!([e.n(), e.e2(), e.ep2()].iter().all(|v| v.is_finite()), "{:?}", e);
-            }
-            Err(InvalidEllipsoid::SemiMajorAxis(refused)) => {
-                prop_assert!(!axis.contains(&a));
-                prop_assert!(same(refused, a));
-            }
-            Err(InvalidEllipsoid::Flattening(refused)) => {
-                prop_assert!(axis.contains(&a) && !flattening.contains(&f));
-                prop_assert!(same(refused, f));
-            }
-        }
-        let sphere = Ellipsoid::new(a, T::ZERO);
-        match Ellipsoid::sphere(a) {
-            Ok(e) => prop_assert_eq!(Ok(e), sphere),
-            Err(InvalidEllipsoid::SemiMajorAxis(refused)) => prop_assert!(sphere.is_err() && same(refused, a)),
-            Err(other) => prop_assert!(false, "{:?}", other),
-        }
-        Ok(())
-    });
-}
-
-#[test]
-fn ellipsoid_takes_axes_and_flattenings_in_range() {
-    ellipsoid_door::<f64>();
-    ellipsoid_door::<f32>();
-}
-
-#[track_caller]
 fn near(value: f64, truth: f64, relative: f64) {
     assert!(
         (value - truth).abs() <= relative * truth.abs(),
@@ -607,7 +317,7 @@ fn latitude_door<T: Scalar>() {
             for limit in [T::of(90.0), quarter] {
                 values.extend([limit, limit.above(), limit * T::of(0.5), limit - T::EPSILON]);
             }
-            values.extend([T::MIN_POSITIVE, T::from_raw(1), T::MAX]);
+            values.extend([T::SMALLEST_NORMAL, T::from_bits(1), T::LARGEST]);
             for value in values.iter().flat_map(|&v| [v, -v]) {
                 judge(value, T::of(90.0), conversion.degrees(value));
                 judge(value, quarter, conversion.radians(value));
@@ -707,59 +417,6 @@ fn errors_say_the_value_in_one_line() {
     says(UnknownProjection, &["healpix", "s2-quadratic"]);
     says(UnknownShift, &["authalic"]);
     says(UnknownLatitude, &["isometric"]);
-}
-
-/// What has passed a door meets no NaN behind it.
-fn total<T: Scalar>() {
-    let shifts = Shift::ALL
-        .iter()
-        .map(|&shift| Shifted::new(Ellipsoid::<T>::wgs84(), shift).unwrap());
-    let shifts: Vec<_> = shifts.collect();
-    check((anything::<T>(), anything::<T>()), |(lat, lon)| {
-        let Ok(place) = LatLon::new(lat, lon) else {
-            return Ok(());
-        };
-        for shifted in &shifts {
-            let direction = shifted.to_direction(place);
-            prop_assert!(excess(direction.to_array().map(Into::into)).abs() <= 8.0 * T::EPSILON.into());
-            let back = shifted.to_lat_lon(direction);
-            prop_assert!(back.lat().into().abs() <= 90.0, "{:?} {:?}", shifted.shift(), back);
-            prop_assert!(back.lon().into().abs() <= 180.0, "{:?} {:?}", shifted.shift(), back);
-        }
-        Ok(())
-    });
-    check((anything::<T>(), anything::<T>(), anything::<T>()), |(x, y, z)| {
-        if let Ok(direction) = Direction::new(x, y, z) {
-            let place = direction.to_lat_lon();
-            prop_assert!(place.lat().into().abs() <= 90.0 && place.lon().into().abs() <= 180.0);
-            for &projection in Projection::ALL {
-                // Not `project`, whose bounds would hide a NaN.
-                let face = projection.face(direction);
-                let point = projection.forward(face, face.to_local(direction.to_array()));
-                let limit = 1.0 + T::EPSILON.into();
-                prop_assert!(point.iter().all(|&c| c.into().abs() <= limit), "{projection} {point:?}");
-            }
-        }
-        Ok(())
-    });
-    check((0..6u8, anything::<T>(), anything::<T>()), |(index, x, y)| {
-        if let Ok(point) = FacePoint::new(Face::from_index(index).unwrap(), x, y) {
-            for &projection in Projection::ALL {
-                let unit = projection.unproject(point).to_array();
-                prop_assert!(
-                    excess(unit.map(Into::into)).abs() <= 6.0 * T::EPSILON.into(),
-                    "{projection} {unit:?}"
-                );
-            }
-        }
-        Ok(())
-    });
-}
-
-#[test]
-fn no_nan_behind_the_doors() {
-    total::<f64>();
-    total::<f32>();
 }
 
 fn exact_angles<T: Scalar>() {

@@ -15,6 +15,7 @@ mod serde {
     use ::serde::de::DeserializeOwned;
     use serde_json::{from_str, from_value, to_string, to_value};
     use terrella::cube::{CubeProjection, Face, FacePoint, Projection};
+    use terrella::terrain::Tile;
     use terrella::{Direction, Ellipsoid, LatLon, Latitude, NAMED, Real, Shift};
 
     /// Out and in again, as a tree of values: decimals would test the reader's rounding, not ours.
@@ -71,6 +72,10 @@ mod serde {
         reads(r#"{"x":0,"y":1,"z":0}"#, east);
         reads(r#"{"face":"top","x":0.25,"y":-1}"#, point);
         reads(r#"{"a":1737400,"f":0}"#, moon);
+        let tile = Tile::new(Face::Back, 30, 7, 1_073_741_823).unwrap();
+        let text = r#"{"face":"back","level":30,"i":7,"j":1073741823}"#;
+        assert_eq!(to_string(&tile).unwrap(), text);
+        reads(text, tile);
     }
 
     #[test]
@@ -90,6 +95,8 @@ mod serde {
         refuses::<Ellipsoid<f64>>(r#"{"a":1,"f":1}"#, "flattening 1");
         refuses::<FacePoint<f64>>(r#"{"face":"top","x":0,"y":1.5}"#, "1.5");
         refuses::<FacePoint<f64>>(r#"{"face":"roof","x":0,"y":0}"#, "unknown variant");
+        refuses::<Tile>(r#"{"face":"top","level":31,"i":0,"j":0}"#, "level 31");
+        refuses::<Tile>(r#"{"face":"top","level":2,"i":0,"j":4}"#, "row 4");
         refuses::<LatLon<f64>>(r#"{"lat":0}"#, "missing field `lon`");
         refuses::<LatLon<f64>>(r#"{"lat":null,"lon":0}"#, "invalid type");
     }
@@ -171,6 +178,7 @@ const _: () = {
     use terrella::geodesic::*;
     use terrella::latitude::*;
     use terrella::math::Polynomial;
+    use terrella::terrain::*;
     use terrella::{
         Direction, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidEllipsoid, InvalidHeight,
         InvalidLatLon, LatLon, Latitude, Shift, Shifted,
@@ -210,6 +218,17 @@ const _: () = {
         formats::<LinePoint<T>>();
         formats::<Area<T>>();
         formats::<PolygonArea<T>>();
+        formats::<InvalidPlace<T>>();
+        formats::<Heights<T>>();
+        formats::<InvalidHeights<T>>();
+        formats::<Enclosure<T, Projection>>();
+        formats::<OrientedBox<T>>();
+        formats::<BoundingSphere<T>>();
+        formats::<Horizon<T>>();
+        formats::<Camera<T>>();
+        formats::<InvalidCamera<T>>();
+        formats::<Detail<T>>();
+        formats::<InvalidDetail<T>>();
     }
 
     generic::<f64>();
@@ -229,6 +248,17 @@ const _: () = {
     formats::<Projection>();
     formats::<UnknownProjection>();
     formats::<Polynomial<3, 2>>();
+    formats::<Tile>();
+    formats::<InvalidTile>();
+    formats::<Adjacent>();
+    formats::<Diagonal>();
+    formats::<Around>();
+    formats::<Along>();
+    formats::<Morton>();
+    formats::<Hilbert>();
+    formats::<Key<Morton>>();
+    formats::<InvalidKey>();
+    formats::<InvalidToken>();
     formats::<QuadCube>();
     formats::<Tangential>();
     formats::<Adjusted>();

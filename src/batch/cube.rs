@@ -2,9 +2,9 @@
 
 use super::InvalidBatch;
 use super::block::{BLOCK, Door, Kernel, Sink, Source, admit, block, front, store, sweep};
+use super::facing::Facing;
 use super::position::Vectors;
-use crate::cube::{CubeProjection, Face, FacePoint, InvalidFacePoint, ProjectionTask};
-use crate::math::select;
+use crate::cube::{CubeProjection, Face, FacePoint, InvalidFacePoint, ProjectionTask, on_face};
 use crate::{Direction, InvalidDirection, Real};
 
 /// Coordinates on a face.
@@ -28,8 +28,10 @@ struct Project<P>(P);
 impl<T: Real, P: CubeProjection> Kernel<T, 3, 3> for Project<P> {
     #[inline(always)]
     fn apply(&self, [x, y, z]: [T; 3]) -> [T; 3] {
-        let point = self.0.project(Direction::within(x, y, z));
-        [number(point.face()), point.x(), point.y()]
+        let facing = Facing::toward(self.0.is_polar(Direction::within(x, y, z)), [x, y, z]);
+        let number = facing.number();
+        let [x, y] = on_face(self.0.forward(Face::of_number(number), facing.to_local([x, y, z])));
+        [number, x, y]
     }
 }
 
@@ -38,36 +40,14 @@ struct Unproject<P>(P);
 impl<T: Real, P: CubeProjection> Kernel<T, 3, 3> for Unproject<P> {
     #[inline(always)]
     fn apply(&self, [number, x, y]: [T; 3]) -> [T; 3] {
-        self.0.unproject(FacePoint::within(face(number), x, y)).to_array()
+        Facing::of(number).to_earth(self.0.inverse(Face::of_number(number), [x, y]))
     }
 }
 
-/// A face's number in the width of the coordinates, so that it is chosen with them.
-#[inline(always)]
-fn number<T: Real>(face: Face) -> T {
-    let side = |at: Face, number: f64, other: T| select(face as u8 == at as u8, T::of(number), other);
-    let number = side(Face::Bottom, 5.0, T::ZERO);
-    let number = side(Face::Top, 4.0, number);
-    let number = side(Face::Left, 3.0, number);
-    let number = side(Face::Back, 2.0, number);
-    side(Face::Right, 1.0, number)
-}
-
-/// The face of a number.
-#[inline(always)]
-fn face<T: Real>(number: T) -> Face {
-    let side = |at: Face, value: f64, other: Face| select(number == T::of(value), at, other);
-    let face = side(Face::Bottom, 5.0, Face::Front);
-    let face = side(Face::Top, 4.0, face);
-    let face = side(Face::Left, 3.0, face);
-    let face = side(Face::Back, 2.0, face);
-    side(Face::Right, 1.0, face)
-}
-
 /// Points of faces as a source and a sink: the face is a column of numbers.
-struct Faces<F, C> {
-    faces: F,
-    points: C,
+pub(super) struct Faces<F, C> {
+    pub(super) faces: F,
+    pub(super) points: C,
 }
 
 impl<'s, T: Real> Source<'s, T, 3> for Faces<&'s [Face], [&'s [T]; 2]> {
@@ -81,13 +61,10 @@ impl<'s, T: Real> Source<'s, T, 3> for Faces<&'s [Face], [&'s [T]; 2]> {
     where
         's: 'a,
     {
-        let (here, rest) = match self.faces.split_at_checked(BLOCK) {
-            Some(parts) => parts,
-            None => (self.faces, [].as_slice()),
-        };
-        self.faces = rest;
+        let mut spare = [Face::Front; BLOCK];
+        let here = block(&mut self.faces, &mut spare);
         for (slot, &face) in numbers.iter_mut().zip(here) {
-            *slot = number(face);
+            *slot = T::from_byte(face.index());
         }
         let [px, py] = &mut self.points;
         [numbers, block(px, x), block(py, y)]
@@ -97,7 +74,7 @@ impl<'s, T: Real> Source<'s, T, 3> for Faces<&'s [Face], [&'s [T]; 2]> {
 impl<T: Real> Sink<T, 3> for Faces<&mut [Face], [&mut [T]; 2]> {
     #[inline(always)]
     fn store(&mut self, [numbers, x, y]: &[[T; BLOCK]; 3]) {
-        store(&mut self.faces, &numbers.map(face));
+        store(&mut self.faces, &numbers.map(Face::of_number));
         let [px, py] = &mut self.points;
         store(px, x);
         store(py, y);

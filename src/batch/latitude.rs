@@ -106,6 +106,13 @@ fn correct<T: Real, A: Angle>(correction: &Correction<T>, from: &[T], to: &mut [
     with_correction!(correction, turn => sweep(Corrected(*turn, PhantomData::<A>), [from], [to]));
 }
 
+/// `copy_from_slice` for as many as both have: no length to fail on.
+fn copy<T: Real>(from: &[T], to: &mut [T]) {
+    for (slot, &value) in to.iter_mut().zip(from) {
+        *slot = value;
+    }
+}
+
 /// Step by step through the geodetic latitude, so that there are as many loops as corrections and not as pairs of them.
 fn convert<T: Real, A: Angle>(
     conversion: &Conversion<T>,
@@ -124,7 +131,7 @@ fn convert<T: Real, A: Angle>(
             for values in values.chunks(CHUNK) {
                 let [results] = front(&mut results, values.len());
                 if from == to {
-                    results.copy_from_slice(values);
+                    copy(values, results);
                     continue;
                 }
                 let mut start = [T::ZERO; CHUNK];
@@ -134,7 +141,7 @@ fn convert<T: Real, A: Angle>(
                 if from == Latitude::Isometric {
                     sweep(Conformal(PhantomData::<A>), [values], [&mut *start]);
                 } else {
-                    start.copy_from_slice(values);
+                    copy(values, start);
                 }
                 correct::<T, A>(&to_geodetic, start, geodetic);
                 if to == Latitude::Isometric {

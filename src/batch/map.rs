@@ -1,11 +1,13 @@
 //! Geodetic latitudes and longitudes to points of the cube's faces and back, through a [`CubeMap`].
 
 use super::InvalidBatch;
-use super::block::{CHUNK, admit, front};
-use super::cube::{Points, project_units, unproject_points};
+use super::block::{CHUNK, Kernel, admit, front, sweep};
+use super::cube::{Faces, Points, project_units, unproject_points};
 use super::position::{Places, turn_to_direction, turn_to_lat_lon};
-use crate::cube::{CubeMap, CubeProjection, Face, InvalidFacePoint};
-use crate::{InvalidLatLon, Real};
+use crate::cube::{CubeMap, CubeProjection, Face, InvalidFacePoint, ProjectionTask};
+use crate::latitude::{Turn, with_correction};
+use crate::math::{atan2_degrees, sin_cos_degrees};
+use crate::{InvalidLatLon, Real, Shifted};
 
 /// Geodetic latitudes and longitudes (degrees) to their places on the cube: [`CubeMap::project`].
 ///
@@ -27,14 +29,33 @@ pub fn project<T: Real, P: CubeProjection>(
     faces: &mut [Face],
     mut points: [&mut [T]; 2],
 ) -> Result<(), InvalidBatch<InvalidLatLon<T>>> {
-    let [correction, _] = map.shifted().corrections();
     let lengths = [faces.len(), points[0].len(), points[1].len()];
     let mut faces = [faces];
-    admit(&Places, places, &lengths, |length, mut places| {
+    admit(&Places, places, &lengths, |length, places| {
+        let [faces] = front(&mut faces, length);
+        let points = front(&mut points, length);
+        map.projection()
+            .with(ProjectAll(map.shifted(), places, Faces { faces, points }));
+    })
+}
+
+/// Where to project from, and to.
+struct ProjectAll<'a, T>(Shifted<T>, [&'a [T]; 2], Faces<&'a mut [Face], [&'a mut [T]; 2]>);
+
+impl<T: Real> ProjectionTask for ProjectAll<'_, T> {
+    type Output = ();
+
+    fn run<P: CubeProjection>(self, projection: P) {
+        let Self(shifted, mut places, sink) = self;
+        let [correction, _] = shifted.corrections();
+        if P::TAKES_PLACES {
+            with_correction!(&correction, turn => sweep(ProjectPlace(*turn, projection), places, sink));
+            return;
+        }
+        let Faces { faces, mut points } = sink;
         let mut directions = [[T::ZERO; CHUNK]; 3];
-        let mut left = length;
-        while left > 0 {
-            let here = left.min(CHUNK);
+        for faces in faces.chunks_mut(CHUNK) {
+            let here = faces.len();
             let columns = directions
                 .each_mut()
                 .map(|column| column.get_mut(..here).unwrap_or_default());
@@ -42,11 +63,29 @@ pub fn project<T: Real, P: CubeProjection>(
             let columns = directions
                 .each_ref()
                 .map(|column| column.get(..here).unwrap_or_default());
-            let [faces] = front(&mut faces, here);
-            project_units(map.projection(), columns, faces, front(&mut points, here));
-            left -= here;
+            project_units(projection, columns, faces, front(&mut points, here));
         }
-    })
+    }
+}
+
+struct ProjectPlace<C, P>(C, P);
+
+impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 2, 3> for ProjectPlace<C, P> {
+    #[inline(always)]
+    fn apply(&self, [lat, lon]: [T; 2]) -> [T; 3] {
+        self.1.project_place(self.0.turn(sin_cos_degrees(lat)), lon)
+    }
+}
+
+struct UnprojectPlace<C, P>(C, P);
+
+impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 3, 2> for UnprojectPlace<C, P> {
+    #[inline(always)]
+    fn apply(&self, point: [T; 3]) -> [T; 2] {
+        let (latitude, lon) = self.1.unproject_place(point);
+        let (sin, cos) = self.0.turn(latitude);
+        [atan2_degrees(sin, cos), lon]
+    }
 }
 
 /// Places on the cube to geodetic latitudes and longitudes (degrees): [`CubeMap::unproject`].
@@ -69,22 +108,41 @@ pub fn unproject<T: Real, P: CubeProjection>(
     points: [&[T]; 2],
     mut places: [&mut [T]; 2],
 ) -> Result<(), InvalidBatch<InvalidFacePoint<T>>> {
-    let [_, correction] = map.shifted().corrections();
     let lengths = [faces.len(), places[0].len(), places[1].len()];
-    admit(&Points, points, &lengths, |_, mut points| {
+    admit(&Points, points, &lengths, |length, points| {
+        let places = front(&mut places, length);
+        map.projection()
+            .with(UnprojectAll(map.shifted(), Faces { faces, points }, places));
+    })
+}
+
+/// Where to go back from, and to.
+struct UnprojectAll<'a, T>(Shifted<T>, Faces<&'a [Face], [&'a [T]; 2]>, [&'a mut [T]; 2]);
+
+impl<T: Real> ProjectionTask for UnprojectAll<'_, T> {
+    type Output = ();
+
+    fn run<P: CubeProjection>(self, projection: P) {
+        let Self(shifted, source, mut places) = self;
+        let [_, correction] = shifted.corrections();
+        if P::TAKES_PLACES {
+            with_correction!(&correction, turn => sweep(UnprojectPlace(*turn, projection), source, places));
+            return;
+        }
+        let Faces { faces, mut points } = source;
         let mut directions = [[T::ZERO; CHUNK]; 3];
         for faces in faces.chunks(CHUNK) {
             let here = faces.len();
             let columns = directions
                 .each_mut()
                 .map(|column| column.get_mut(..here).unwrap_or_default());
-            unproject_points(map.projection(), faces, next(&mut points, here), columns);
+            unproject_points(projection, faces, next(&mut points, here), columns);
             let columns = directions
                 .each_ref()
                 .map(|column| column.get(..here).unwrap_or_default());
             turn_to_lat_lon(&correction, columns, front(&mut places, here));
         }
-    })
+    }
 }
 
 /// The first elements of each slice, which goes past them.

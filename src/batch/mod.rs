@@ -40,6 +40,7 @@ use core::fmt;
 mod block;
 pub mod cube;
 pub mod ellipsoid;
+mod facing;
 pub mod geodesic;
 pub mod latitude;
 pub mod map;

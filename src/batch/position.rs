@@ -43,7 +43,7 @@ struct ToDirection<C>(C);
 impl<T: Real, C: Turn<T>> Kernel<T, 2, 3> for ToDirection<C> {
     #[inline(always)]
     fn apply(&self, [lat, lon]: [T; 2]) -> [T; 3] {
-        Direction::from_latitude(self.0.turn(sin_cos_degrees(lat)), lon).to_array()
+        Direction::from_angles(self.0.turn(sin_cos_degrees(lat)), sin_cos_degrees(lon)).to_array()
     }
 }
 

@@ -1,4 +1,4 @@
-//! The widest instructions of the machine, chosen at run time: the one file with `unsafe` in it.
+//! The widest instructions of the machine, chosen at run time: with `math/sqrt.rs` the only file that has `unsafe` in it.
 #![allow(unsafe_code)]
 
 /// A loop over slices, as a value that holds them.

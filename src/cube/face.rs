@@ -1,6 +1,6 @@
 use core::fmt;
 
-use crate::math::select;
+use super::{CubeProjection, Tangential};
 use crate::{Direction, Real};
 
 /// A face of the cube, numbered as by Dimitrijević, Lambers & Rančić (Table 4.1).
@@ -70,6 +70,19 @@ impl Face {
         }
     }
 
+    /// The face of a whole number that is one's: a select of bytes, many at a time.
+    #[inline(always)]
+    pub(crate) fn of_number<T: Real>(number: T) -> Self {
+        match number.to_byte() {
+            0 => Self::Front,
+            1 => Self::Right,
+            2 => Self::Back,
+            3 => Self::Left,
+            4 => Self::Top,
+            _ => Self::Bottom,
+        }
+    }
+
     /// The face that a ray from the centre of the cube leaves through: the axis of the largest component.
     ///
     /// Of equal components y goes before z, and z before x.
@@ -82,25 +95,19 @@ impl Face {
     #[must_use]
     #[inline(always)]
     pub fn containing<T: Real>(direction: Direction<T>) -> Self {
+        Tangential.face(direction)
+    }
+
+    /// The top or bottom, or the side of a longitude: of equal |x| and |y| the axis y.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // eight entries for three bits
+    pub(crate) fn of<T: Real>(polar: bool, direction: Direction<T>) -> Self {
+        use Face::{Back, Bottom, Front, Left, Right, Top};
+        const FACES: [Face; 8] = [Front, Back, Right, Left, Top, Bottom, Top, Bottom];
         let [x, y, z] = direction.to_array();
-        let polar = (z.abs() > y.abs()) & (z.abs() >= x.abs());
-        select(polar, Self::polar(z), Self::equatorial(x, y))
-    }
-
-    /// The side face of a longitude; of equal |x| and |y| the axis y.
-    #[inline(always)]
-    pub(crate) fn equatorial<T: Real>(x: T, y: T) -> Self {
-        select(
-            y.abs() >= x.abs(),
-            select(y < T::ZERO, Self::Left, Self::Right),
-            select(x < T::ZERO, Self::Back, Self::Front),
-        )
-    }
-
-    /// Top or bottom by the sign of z.
-    #[inline(always)]
-    pub(crate) fn polar<T: Real>(z: T) -> Self {
-        select(z < T::ZERO, Self::Bottom, Self::Top)
+        let sideways = y.abs() >= x.abs();
+        let negative = (polar & (z < T::ZERO)) | (!polar & ((sideways & (y < T::ZERO)) | (!sideways & (x < T::ZERO))));
+        FACES[usize::from(4 * u8::from(polar) + 2 * u8::from(sideways & !polar) + u8::from(negative)) & 7]
     }
 
     /// Whether this is the top or the bottom.
@@ -108,18 +115,6 @@ impl Face {
     #[inline(always)]
     pub const fn is_polar(self) -> bool {
         self as u8 >= 4
-    }
-
-    /// Whether the outward normal is along ±Y.
-    #[inline(always)]
-    const fn is_sideways(self) -> bool {
-        matches!(self, Self::Right | Self::Left)
-    }
-
-    /// Whether the outward normal is along a negative axis.
-    #[inline(always)]
-    const fn is_negative(self) -> bool {
-        matches!(self, Self::Back | Self::Left | Self::Bottom)
     }
 
     /// A vector in Earth axes, in this face's frame (right, up, outward).
@@ -131,29 +126,22 @@ impl Face {
     #[must_use]
     #[inline(always)]
     pub fn to_local<T: Real>(self, [x, y, z]: [T; 3]) -> [T; 3] {
-        // As a factor it needs no branch.
-        let sign = select(self.is_negative(), -T::ONE, T::ONE);
-        let sideways = self.is_sideways();
-        let polar = self.is_polar();
-        [
-            select(polar, y, sign * select(sideways, -x, y)),
-            select(polar, sign * -x, z),
-            sign * select(polar, z, select(sideways, y, x)),
-        ]
+        self.pick(&TO_LOCAL, [x, y, z])
     }
 
     /// A vector in this face's frame (right, up, outward), in Earth axes: the inverse of [`Face::to_local`].
     #[must_use]
     #[inline(always)]
     pub fn to_earth<T: Real>(self, [right, up, outward]: [T; 3]) -> [T; 3] {
-        let signed = |v: T| select(self.is_negative(), -v, v);
-        let sideways = self.is_sideways();
-        let polar = self.is_polar();
-        [
-            signed(select(polar, -up, select(sideways, -right, outward))),
-            select(polar, right, signed(select(sideways, outward, right))),
-            select(polar, signed(outward), up),
-        ]
+        self.pick(&TO_EARTH, [right, up, outward])
+    }
+
+    /// The components that a table names, or their negatives: for random faces a look-up is quicker than a branch.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // as many entries as there are numbers of that many bits
+    fn pick<T: Real>(self, table: &[[u8; 3]; 8], [a, b, c]: [T; 3]) -> [T; 3] {
+        let signed = [a, b, c, c, -a, -b, -c, -c];
+        table[usize::from(self as u8 & 7)].map(|at| signed[usize::from(at & 7)])
     }
 
     /// What lies across an edge.
@@ -222,6 +210,30 @@ impl Face {
         ]
     }
 }
+
+/// Which component is right, up and outward for each face: 0, 1, 2 for X, Y, Z, and 4 more for its negative. The last two rows are none's.
+const TO_LOCAL: [[u8; 3]; 8] = [
+    [1, 2, 0],
+    [4, 2, 1],
+    [5, 2, 4],
+    [0, 2, 5],
+    [1, 4, 2],
+    [1, 0, 6],
+    [0; 3],
+    [0; 3],
+];
+
+/// Which of right, up and outward is X, Y and Z.
+const TO_EARTH: [[u8; 3]; 8] = [
+    [2, 0, 1],
+    [4, 2, 1],
+    [6, 4, 1],
+    [0, 6, 1],
+    [5, 0, 2],
+    [1, 0, 6],
+    [0; 3],
+    [0; 3],
+];
 
 /// A number that is no face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-use super::{CubeProjection, FacePoint};
+use super::{CubeProjection, Face, FacePoint, ProjectionTask};
 use crate::latitude::UnsupportedFlattening;
 use crate::{Ellipsoid, LatLon, Real, Shift, Shifted};
 
@@ -52,13 +52,48 @@ impl<T: Real, P: CubeProjection> CubeMap<T, P> {
     #[must_use]
     #[inline]
     pub fn project(&self, position: LatLon<T>) -> FacePoint<T> {
-        self.projection.project(self.shifted.to_direction(position))
+        self.projection.with(Project(&self.shifted, position))
     }
 
     /// From the cube to the ellipsoid.
     #[must_use]
     #[inline]
     pub fn unproject(&self, point: FacePoint<T>) -> LatLon<T> {
-        self.shifted.to_lat_lon(self.projection.unproject(point))
+        self.projection.with(Unproject(&self.shifted, point))
+    }
+}
+
+struct Project<'a, T>(&'a Shifted<T>, LatLon<T>);
+
+impl<T: Real> ProjectionTask for Project<'_, T> {
+    type Output = FacePoint<T>;
+
+    #[inline(always)]
+    fn run<P: CubeProjection>(self, projection: P) -> FacePoint<T> {
+        let Self(shifted, position) = self;
+        if P::TAKES_PLACES {
+            let [number, x, y] = projection.project_place(shifted.latitude(position.lat()), position.lon());
+            FacePoint::within(Face::of_number(number), x, y)
+        } else {
+            projection.project(shifted.to_direction(position))
+        }
+    }
+}
+
+struct Unproject<'a, T>(&'a Shifted<T>, FacePoint<T>);
+
+impl<T: Real> ProjectionTask for Unproject<'_, T> {
+    type Output = LatLon<T>;
+
+    #[inline(always)]
+    fn run<P: CubeProjection>(self, projection: P) -> LatLon<T> {
+        let Self(shifted, point) = self;
+        if P::TAKES_PLACES {
+            let (latitude, lon) =
+                projection.unproject_place([T::from_byte(point.face().index()), point.x(), point.y()]);
+            LatLon::within(shifted.geodetic(latitude), lon)
+        } else {
+            shifted.to_lat_lon(projection.unproject(point))
+        }
     }
 }

@@ -3,7 +3,7 @@
 //! Dimitrijević, Lambers & Rančić (2016), §3; OpenGL 4.6 §8.14 and its anisotropic filter (`ARB_texture_filter_anisotropic`).
 
 use crate::Real;
-use crate::math::{max, min, select};
+use crate::math::{log2, max, min, select};
 
 /// λ: the level of the pyramid for a pixel whose step to the right moves the texture coordinates by `across`, and whose step
 /// upward by `along`, in texels (paper 3.1).
@@ -17,7 +17,7 @@ use crate::math::{max, min, select};
 #[must_use]
 #[inline]
 pub fn level<T: Real>(across: [T; 2], along: [T; 2]) -> T {
-    max(length(across), length(along)).log2()
+    log2(max(length(across), length(along)))
 }
 
 /// What an anisotropic filter does with a pixel.
@@ -51,7 +51,7 @@ pub fn anisotropic<T: Real>(across: [T; 2], along: [T; 2], most: T) -> Anisotrop
     let samples = whole + select(whole < ratio, T::ONE, T::ZERO);
     Anisotropic {
         samples,
-        level: (longer / samples).log2(),
+        level: log2(longer / samples),
     }
 }
 
@@ -67,7 +67,7 @@ pub fn anisotropic<T: Real>(across: [T; 2], along: [T; 2], most: T) -> Anisotrop
 #[must_use]
 #[inline]
 pub fn corrected<T: Real>(level: T, area: T) -> T {
-    level - T::of(0.5) * area.log2()
+    level - T::of(0.5) * log2(area)
 }
 
 #[inline(always)]

@@ -4,7 +4,7 @@ mod ecef;
 
 use core::fmt;
 
-use crate::math::{atan, cbrt};
+use crate::math::{atan, cbrt, inverse_gudermannian};
 use crate::{Direction, Dual, Real};
 
 /// An ellipsoid of revolution: semi-major (equatorial) axis a in metres and flattening f = (a − b)/a.
@@ -188,12 +188,12 @@ impl<T: Real> Ellipsoid<T> {
         // w in atanh(e)/e = 1 + e²w, for either sign of e².
         let w = if e2.abs() <= T::of(0.2) {
             let terms = (1..=T::terms(22, 9)).rev();
-            terms.fold(T::ZERO, |sum, k| sum * e2 + T::ONE / T::of(2.0 * k as f64 + 1.0))
+            terms.fold(T::ZERO, |sum, k| sum * e2 + T::ONE / T::whole(2 * k as u64 + 1))
         } else {
             let e = e2.abs().sqrt();
             let ratio = if self.f > T::ZERO {
-                // 1 − e = (1 − f)²/(1 + e).
-                half * (T::of(2.0) * e * (T::ONE + e) / squeeze).ln_1p() / e
+                // atanh e, where √(1 − e²) = 1 − f.
+                inverse_gudermannian((e, T::ONE - self.f)) / e
             } else {
                 atan(e) / e
             };

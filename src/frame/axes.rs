@@ -94,12 +94,14 @@ impl<T: Real> From<Enu<T>> for Aer<T> {
     fn from(enu: Enu<T>) -> Self {
         // Squares stay in range after a power of two. Adding 0 makes −0 into 0: south is at 180, not −180.
         let largest = max(max(enu.east.abs(), enu.north.abs()), enu.up.abs());
+        // 2^∓600 and 2^∓100.
         let (shrink, grow) = (
-            T::pick(2.409_919_865_102_884e-181, 8.271_806e-25),
+            T::pick(2.409_919_865_102_884e-181, 7.888_609e-31),
             T::pick(4.149_515_568_880_993e180, 1.267_650_6e30),
         );
         let large = largest > T::pick(3.273_390_607_896_142e150, 1.152_921_5e18);
-        let small = largest < T::pick(3.054_936_363_499_605e-151, 8.673_617_4e-19);
+        // 2^−450 and 2^−40: the square of what is far smaller than the largest has its digits still.
+        let small = largest < T::pick(3.439_552_567_074_349_4e-136, 9.094_947e-13);
         let scale = select(large, shrink, select(small, grow, T::ONE));
         let unscale = select(large, grow, select(small, shrink, T::ONE));
         let (east, north, up) = (

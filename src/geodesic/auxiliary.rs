@@ -81,8 +81,10 @@ impl<T: Real> Ends<T> {
         let (apart, _) = latitude_difference(from, to).sin_cos();
         let (together, _) = Split::sum(from.lat(), to.lat()).sin_cos();
         let north = select(far, together, apart) * axes / (divisor1 * divisor2);
-        // Between latitudes exactly opposite λ says nothing of the azimuth: there one is moved by less than its rounding.
-        let least = select(far, T::of(0.25) * T::EPSILON, T::ZERO);
+        // Between latitudes exactly opposite λ says nothing of the azimuth: there one is moved by less than its rounding. Not so
+        // between a pole and itself.
+        let opposite = far & (u1.0 * u2.0 <= T::ZERO);
+        let least = select(opposite, T::of(0.25) * T::EPSILON, T::ZERO);
         Self {
             u1,
             u2,
@@ -106,7 +108,7 @@ impl<T: Real> Ends<T> {
     }
 
     /// The azimuths at both ends in degrees, once the longitude on the sphere has grown by so much of sin σ.
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     pub fn azimuths_after(&self, arc: &Arc<T>, shift: T) -> (T, T) {
         let ((e1, n1), (e2, n2)) = (arc.course1, arc.course2);
         // Each end moves beside the line by the cosine of its latitude and azimuth.
@@ -120,7 +122,7 @@ impl<T: Real> Ends<T> {
         )
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     pub fn arc(&self, x: T) -> Arc<T> {
         let ((sin1, cos1), (sin2, cos2)) = (self.u1, self.u2);
         let (sin_x, cos_x) = sin_cos(x);

@@ -41,14 +41,14 @@ impl<T: Real> Split<T> {
 }
 
 /// The second latitude less the first.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(super) fn latitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> Split<T> {
     // Less zero: −0 − 0 is −0, and would turn the azimuth of a point to itself.
     Split::sum(to.lat() + T::ZERO, -from.lat())
 }
 
 /// The second longitude less the first, in [−180, 180].
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(super) fn longitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> Split<T> {
     let half_circle = T::of(180.0);
     let whole = Split::sum(to.lon() + T::ZERO, -from.lon());
@@ -70,7 +70,7 @@ pub(super) fn wrapped<T: Real>(angle: T) -> T {
 }
 
 /// Refuses an azimuth or a distance that is not finite; sine and cosine of the azimuth.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(super) fn heading<T: Real>(azimuth: T, distance: T) -> Result<(T, T), GeodesicError<T>> {
     if !azimuth.is_finite() {
         return Err(GeodesicError::Azimuth(azimuth));
@@ -88,7 +88,7 @@ pub(super) fn heading<T: Real>(azimuth: T, distance: T) -> Result<(T, T), Geodes
 }
 
 /// √(x² + y²), of the smallest numbers too.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(super) fn hypot<T: Real>(x: T, y: T) -> T {
     let small = max(x.abs(), y.abs()) < T::pick(3.054_936_363_499_605e-151, 8.673_617_4e-19);
     // 2^±600 and 2^±100.

@@ -95,7 +95,7 @@ impl<T: Real> GreatCircle<T> {
     /// On a sphere of the given radius in metres, for instance an [`Ellipsoid::mean_radius`].
     ///
     /// # Errors
-    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 0 < radius < ∞.
+    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.
     pub fn new(radius: T) -> Result<Self, InvalidEllipsoid<T>> {
         Ellipsoid::sphere(radius).map(|_| Self { radius })
     }
@@ -215,7 +215,9 @@ impl<T: Real> GreatCircle<T> {
 
 impl<T: Real> Geodesic<T> for GreatCircle<T> {
     /// Never an error.
-    #[inline]
+    // Small, it is inlined: who takes the distance alone does not pay for the azimuths.
+    #[cfg_attr(small, inline(always))]
+    #[cfg_attr(not(small), inline)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         let line = Delambre::between(from, to);
         let (azimuth1, azimuth2) = line.azimuths();
@@ -249,7 +251,7 @@ pub(super) struct End<T> {
 
 /// Along a great circle, from sine and cosine of the latitude, the azimuth and the arc. The latitude is that whose tangent is
 /// 1/`axes` times the tangent on the sphere.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(super) fn end<T: Real>((sin1, cos1): (T, T), azimuth: (T, T), (sin, cos): (T, T), axes: T) -> End<T> {
     let cos1 = off_pole(cos1);
     let (sin_azimuth, cos_azimuth) = azimuth;

@@ -36,14 +36,16 @@ impl<T: Real> Haversine<T> {
     /// On a sphere of the given radius in metres.
     ///
     /// # Errors
-    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 0 < radius < ∞.
+    /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.
     pub fn new(radius: T) -> Result<Self, InvalidEllipsoid<T>> {
         GreatCircle::new(radius).map(|sphere| Self { sphere })
     }
 }
 
 impl<T: Real> Geodesic<T> for Haversine<T> {
-    #[inline]
+    // Small, it is inlined: who takes the distance alone does not pay for the azimuths.
+    #[cfg_attr(small, inline(always))]
+    #[cfg_attr(not(small), inline)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         let (sin1, cos1) = sin_cos_degrees(from.lat());
         let (sin2, cos2) = sin_cos_degrees(to.lat());

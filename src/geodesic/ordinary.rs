@@ -108,6 +108,17 @@ const ROUGH_ATAN: Polynomial<8, 6> = Polynomial {
     ],
 };
 
+/// ε/k² = 1/(1 + √(1 + k²))² by powers of k².
+const EPSILON: Polynomial<7, 7> = Polynomial::rounded([
+    1.0 / 4.0,
+    -1.0 / 8.0,
+    5.0 / 64.0,
+    -7.0 / 128.0,
+    21.0 / 512.0,
+    -33.0 / 1024.0,
+    429.0 / 16384.0,
+]);
+
 /// c₀ + c₁x + … of the first coefficients.
 #[inline(always)]
 fn series<T: Real>(x: T, coefficients: &[T], terms: usize) -> T {
@@ -120,20 +131,11 @@ impl<T: Real> Ordinary<T> {
         let (a3, c3) = series.low_orders();
         let ep2 = ellipsoid.ep2();
         let f = ellipsoid.f();
-        // ε = k²/(1 + √(1 + k²))² by powers of k² = e'² cos²α₀.
+        // k² = e'² cos²α₀.
         let mut power = T::ONE;
-        let epsilon = [
-            1.0 / 4.0,
-            -1.0 / 8.0,
-            5.0 / 64.0,
-            -7.0 / 128.0,
-            21.0 / 512.0,
-            -33.0 / 1024.0,
-            429.0 / 16384.0,
-        ]
-        .map(|c| {
+        let epsilon = T::all(&EPSILON).map(|c| {
             power *= ep2;
-            power * T::of(c)
+            power * c
         });
         Self {
             b: ellipsoid.b(),
@@ -159,7 +161,7 @@ impl<T: Real> Ordinary<T> {
     }
 
     /// Sine and cosine of the parametric latitude, and 1/√(cos²φ + (1 − f)² sin²φ).
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     fn parametric(&self, lat: T) -> ((T, T), T) {
         let (sin, cos) = sin_cos_quarter(lat.abs());
         let sin = (sin * self.axes).copysign(lat);
@@ -202,7 +204,7 @@ impl<T: Real> Ordinary<T> {
     }
 
     /// The places of an inverse problem.
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     fn pair(&self, from: LatLon<T>, to: LatLon<T>) -> Pair<T> {
         // From 0 to 180°, and what its rounding lost.
         let Split { angle, rest } = Split::sum(to.lon() + T::ZERO, -from.lon());
@@ -232,7 +234,7 @@ impl<T: Real> Ordinary<T> {
     }
 
     /// The line between places that are not nearly antipodal, or between such as are.
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     fn line<const FAR: bool>(&self, pair: &Pair<T>) -> Answer<Inverse<T>> {
         let side = side::<T, FAR>();
         let ends = pair.ends::<FAR>();
@@ -369,7 +371,7 @@ impl<T: Real> Ordinary<T> {
     }
 
     /// f sin α₀ I₃ but for 1e-9, and the derivative of ω less it.
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     fn rough_shift(&self, arc: &Arc<T>, sigma: T) -> (T, T) {
         let factor = series(arc.square, &self.epsilon, T::terms(3, 2));
         let epsilon = factor * arc.square;
@@ -380,7 +382,7 @@ impl<T: Real> Ordinary<T> {
     }
 
     /// A₃, and I₃ less A₃σ between the ends.
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     fn i3(&self, epsilon: T, [w1, w2, w3, w4, _]: [T; 5]) -> (T, T) {
         let [c11, c12, c13, c14, c22, c23, c24, c33, c34, c44] = self.c3;
         let sum = if T::terms(4, 2) == 4 {
@@ -393,7 +395,7 @@ impl<T: Real> Ordinary<T> {
     }
 
     /// The derivative of ω − f sin α₀ I₃ by ω, but for f ε².
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     fn slope(&self, arc: &Arc<T>, integral: T, sigma: T) -> T {
         let half = T::of(0.5);
         let [g, ..] = self.epsilon;
@@ -427,7 +429,7 @@ impl<T: Real> Pair<T> {
         sin1 * sin2 + cos1 * cos2 * cos_lambda < T::of(-0.985)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     fn ends<const FAR: bool>(&self) -> Ends<T, FAR> {
         let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
         let side = side::<T, FAR>();
@@ -454,7 +456,7 @@ impl<T: Real, const FAR: bool> Ends<T, FAR> {
     }
 
     /// The great circle for an ω, given by sine and cosine of its half.
-    #[inline(always)]
+    #[cfg_attr(not(small), inline(always))]
     fn arc(&self, (sin_half, cos_half): (T, T)) -> Arc<T> {
         let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
         let side = side::<T, FAR>();
@@ -509,7 +511,7 @@ impl<T: Real> Arc<T> {
 }
 
 /// ε^l cos lμ sin lσ, l = 1, 2, …, from ε cos μ.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 fn waves<T: Real>(epsilon: T, middle: T, (sin, cos): (T, T)) -> [T; 5] {
     let square = epsilon * epsilon;
     let (twice, twice_middle) = (cos + cos, middle + middle);
@@ -521,7 +523,7 @@ fn waves<T: Real>(epsilon: T, middle: T, (sin, cos): (T, T)) -> [T; 5] {
 }
 
 /// Σ C₁ₗ (sin 2lσ₂ − sin 2lσ₁).
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 fn c1<T: Real>(epsilon: T, [w1, w2, w3, w4, w5]: [T; 5]) -> T {
     let of = T::of;
     let square = epsilon * epsilon;
@@ -581,18 +583,23 @@ fn sines<T: Real, const N: usize>(c: [T; N], terms: usize, square: T, (sin, cos)
     sin * b
 }
 
+/// (1/A₁ − 1)/ε by powers of ε.
+const INVERSE_A1: Polynomial<6, 6> =
+    Polynomial::rounded([-1.0, -1.0 / 4.0, 1.0 / 4.0, 3.0 / 64.0, -3.0 / 64.0, -3.0 / 256.0]);
+
+/// (A₁ − 1)/ε by powers of ε.
+const A1: Polynomial<6, 6> = Polynomial::rounded([1.0, 1.25, 1.25, 81.0 / 64.0, 81.0 / 64.0, 325.0 / 256.0]);
+
 /// 1/A₁ − 1.
 #[inline(always)]
 fn inverse_a1_less_1<T: Real>(epsilon: T) -> T {
-    let coefficients = [-1.0, -1.0 / 4.0, 1.0 / 4.0, 3.0 / 64.0, -3.0 / 64.0, -3.0 / 256.0].map(T::of);
-    epsilon * series(epsilon, &coefficients, T::terms(6, 3))
+    epsilon * series(epsilon, &T::all(&INVERSE_A1), T::terms(6, 3))
 }
 
 /// A₁ − 1 = (1 + ε²/4 + ε⁴/64 + ε⁶/256)/(1 − ε) − 1.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 fn a1_less_1<T: Real>(epsilon: T) -> T {
-    let coefficients = [1.0, 1.25, 1.25, 81.0 / 64.0, 81.0 / 64.0, 325.0 / 256.0].map(T::of);
-    epsilon * series(epsilon, &coefficients, T::terms(6, 3))
+    epsilon * series(epsilon, &T::all(&A1), T::terms(6, 3))
 }
 
 /// Sine and cosine of an angle, given so, and a small one in radians, below 0.02.

@@ -4,7 +4,7 @@ use super::karney;
 use super::ordinary::Ordinary;
 use super::{Direct, Geodesic, GeodesicError, Inverse, Straight};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::{max, sin_cos};
+use crate::math::{max, select, sin_cos};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// Vincenty's formulas (1975), with longer series and with Newton's steps for his iteration: nothing is lost near the antipode.
@@ -148,6 +148,12 @@ impl<T: Real> Vincenty<T> {
         if ends.far() && self.f < T::ZERO {
             x += -self.f * T::of(3.2) * ends.steepest();
         }
+        // Where numbers are subnormal there is no relative error to speak of; next to the antipode x is by far smaller than what it stands for.
+        let least = if ends.far() {
+            T::pick(1e-30, 1e-20)
+        } else {
+            T::pick(1e-300, 1e-36)
+        };
         for evaluations in 1..=STEPS {
             let arc = ends.arc(x);
             let series = self.series(arc.cos2_alpha);
@@ -155,8 +161,7 @@ impl<T: Real> Vincenty<T> {
             let shift = ends.side * self.f * arc.sin_alpha * integral;
             let residual = ends.lon + shift - x;
             let slope = T::ONE - ends.side * self.f * arc.bend * integral - self.f * arc.sin_alpha * arc.sin_alpha;
-            // Where numbers are subnormal there is no relative error to speak of.
-            let rounding = T::of(4.0) * T::EPSILON * (ends.lon + shift.abs()) + T::pick(1e-300, 1e-36);
+            let rounding = T::of(4.0) * T::EPSILON * (ends.lon + shift.abs()) + least;
             if residual.abs() <= rounding {
                 return (slope > T::ZERO).then_some((arc, series, evaluations));
             }
@@ -172,7 +177,7 @@ impl<T: Real> Vincenty<T> {
     #[cold]
     #[inline(never)]
     fn hard_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        let ends = Ends::new(self.axes, from, to);
+        let ends = Ends::new(self.axes, away_from_zero(from), away_from_zero(to));
         let (arc, series, _) = self.solve(&ends).ok_or(GeodesicError::NotConverged(from, to))?;
         let (azimuth1, azimuth2) = arc.azimuths();
         Ok(Inverse {
@@ -213,6 +218,14 @@ impl<T: Real> Vincenty<T> {
             azimuth: end.azimuth,
         })
     }
+}
+
+/// Angles other than 0 are at least so large that their squares are normal, which moves a place by less than 10⁻⁹ m: with smaller ones
+/// nothing converges.
+fn away_from_zero<T: Real>(place: LatLon<T>) -> LatLon<T> {
+    let least = T::pick(1e-140, 1e-15);
+    let raised = |angle: T| select(angle == T::ZERO, angle, max(angle.abs(), least).copysign(angle));
+    LatLon::within(raised(place.lat()), raised(place.lon()))
 }
 
 impl<T: Real> Geodesic<T> for Vincenty<T> {

@@ -2,7 +2,7 @@ use core::fmt;
 
 use super::correction::{Correction, Turn};
 use super::{Latitude, Shift, UnsupportedFlattening};
-use crate::math::{atan2, max, sin_cos, sin_cos_degrees};
+use crate::math::{gudermannian, inverse_gudermannian, sin_cos, sin_cos_degrees};
 use crate::{Ellipsoid, Real};
 
 /// From one latitude to another, as angles.
@@ -185,30 +185,13 @@ pub(crate) fn corrected<T: Real, A: Angle>(value: T, correction: &impl Turn<T>) 
 /// The isometric latitude of a geodetic one, with the correction to the conformal.
 #[inline(always)]
 pub(crate) fn isometric<T: Real, A: Angle>(geodetic: T, correction: &impl Turn<T>) -> T {
-    isometric_of(correction.turn(A::sin_cos(geodetic))).copysign(geodetic)
+    inverse_gudermannian(correction.turn(A::sin_cos(geodetic))).copysign(geodetic)
 }
 
 /// The conformal latitude of an isometric one.
 #[inline(always)]
 pub(crate) fn conformal<T: Real, A: Angle>(isometric: T) -> T {
     gudermannian(isometric) * A::radian()
-}
-
-/// The conformal latitude in radians of an isometric one, gd ψ = atan sinh ψ.
-#[inline]
-fn gudermannian<T: Real>(psi: T) -> T {
-    // With q = e^−|ψ|: tan χ = (1 − q²)/2q, and 1 − q is known better than q.
-    let less = -(-psi.abs()).exp_m1();
-    let q = T::ONE - less;
-    atan2(less * (T::ONE + q), q + q).copysign(psi)
-}
-
-/// The isometric latitude from sine and cosine of the conformal one, ln((1 + sin χ)/cos χ).
-#[inline]
-fn isometric_of<T: Real>((sin, cos): (T, T)) -> T {
-    let s = sin.abs();
-    let c = max(cos, T::ZERO);
-    ((s + s * s / (T::ONE + c)) / c).ln_1p().copysign(sin)
 }
 
 /// A number that is no latitude of the kind that was to be converted.

@@ -55,7 +55,8 @@ impl<T: Real> Shifted<T> {
     #[must_use]
     #[inline]
     pub fn to_direction(&self, position: LatLon<T>) -> Direction<T> {
-        Direction::from_latitude(self.forward.turn(sin_cos_degrees(position.lat())), position.lon())
+        let [latitude, longitude] = position.sin_cos();
+        Direction::from_angles(self.forward.turn(latitude), longitude)
     }
 
     /// The geodetic latitude and longitude of a direction.
@@ -64,6 +65,19 @@ impl<T: Real> Shifted<T> {
     pub fn to_lat_lon(&self, direction: Direction<T>) -> LatLon<T> {
         let (sin, cos) = self.inverse.turn((direction.z(), direction.cos_lat()));
         LatLon::within(atan2_degrees(sin, cos), direction.lon())
+    }
+
+    /// Sine and cosine of the sphere's latitude, of a geodetic one in degrees.
+    #[inline]
+    pub(crate) fn latitude(&self, lat: T) -> (T, T) {
+        self.forward.turn(sin_cos_degrees(lat))
+    }
+
+    /// The geodetic latitude in degrees, of sine and cosine of the sphere's.
+    #[inline]
+    pub(crate) fn geodetic(&self, latitude: (T, T)) -> T {
+        let (sin, cos) = self.inverse.turn(latitude);
+        atan2_degrees(sin, cos)
     }
 
     /// The ellipsoid's outward normal where a direction leads.

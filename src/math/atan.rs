@@ -37,7 +37,7 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
 /// assert_eq!(terrella::math::atan2_degrees(0.0_f64, -1.0), 180.0);
 /// ```
 #[must_use]
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
     let reduced = Reduced::new(y, x);
     let high = reduced.base(T::pick(26.565_051_177_077_99, 26.565_052), T::of(45.0));
@@ -56,7 +56,7 @@ pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
 /// The angle of the point (x, y), y ≥ 0, from the x axis: a multiple of 45° and the rest in radians, within π/8 and 1.5 ulp.
 ///
 /// Half the arithmetic of [`atan2`], for numbers whose squares are normal; (0, 0) gives 0.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
     let width = x.abs();
     let (low, high) = (min(y, width), max(y, width));
@@ -74,7 +74,7 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
     ((back + back) + mirror * (steep + turn * middle), (turn * mirror) * rest)
 }
 
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 fn radians<T: Real>(y: T, x: T) -> T {
     let reduced = Reduced::new(y, x);
     let eighth = T::pick(core::f64::consts::FRAC_PI_4, core::f32::consts::FRAC_PI_4);

@@ -9,7 +9,7 @@ use crate::Real;
 /// assert_eq!(terrella::math::cbrt(27.0_f64), 3.0);
 /// ```
 #[must_use]
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub fn cbrt<T: Real>(x: T) -> T {
     let magnitude = x.abs();
     let mut root = magnitude.cbrt_guess();

@@ -9,7 +9,7 @@ leading term, so that this rounding stays far below half an ulp of the result.
 Needs mpmath only.
 """
 
-from mpmath import mp, mpf, mpc, pi, sqrt, sin, cos, tan, atan, exp, matrix, lu_solve, chebyt
+from mpmath import mp, mpf, mpc, pi, sqrt, sin, cos, tan, atan, atanh, exp, log, factorial, matrix, lu_solve, chebyt
 import struct
 
 mp.dps = 60
@@ -31,12 +31,16 @@ def unit(f):
     return lambda x: (f(x) / x - 1) / (1 - x)
 
 
-def quad_m(t):
-    return 12 / pi * (atan(t) - atan(t / sqrt(2 + t * t)))
+def quad_m(w):
+    return 12 / pi * mp.asin(w * sin(pi / 12))
 
 
 def quad_t(m):
     return sin(pi * m / 12) / (cos(pi * m / 12) - 1 / sqrt(mpf(2)))
+
+
+def quad_s(m):
+    return 1 / sqrt(2 + quad_t(m) ** 2)
 
 
 # Vertex equal-area: tau = tan(xi/2) / tan(pi/8) against the share t of the triangle's area.
@@ -66,13 +70,17 @@ def conformal_root(t):
 
 
 QUARTER = (pi / 4 * mpf("1.0001")) ** 2
+HALF_LN_2 = log(mpf(2)) / 2 * mpf("1.0001")
 ENTRIES = [
     ("SIN", "sin x = x + x³·p(x²), |x| ≤ π/4", odd_correction(sin), 0, QUARTER, lambda z: z),
     ("COS", "cos x = 1 − x²/2 + x⁴·p(x²), |x| ≤ π/4", lambda z: ((cos(sqrt(z)) - 1) / z + mpf(1) / 2) / z, 0, QUARTER, lambda z: z * z),
     ("TAN", "tan x = x + x³·p(x²), |x| ≤ π/4", odd_correction(tan), 0, QUARTER, lambda z: z),
     ("ATAN", "atan x = x + x³·p(x²), |x| ≤ 7/16", odd_correction(atan), 0, mpf(49) / 256, lambda z: z),
-    ("QUAD_M", "m(t) = t − t·(1 − t²)·p(t²), |t| ≤ 1: the forward ordinate of the quadrilateralized cube", odd_unit(quad_m), 0, 1, lambda z: 1 - z),
+    ("ATANH", "atanh x = x + x³·p(x²), |x| ≤ (√2 − 1)²", odd_correction(atanh), 0, TAN_PI_8**4 * mpf("1.0001"), lambda z: z),
+    ("EXP", "eˣ = 1 + x + x²/2 + x³·p(x), |x| ≤ ½ ln 2", lambda x: sum(x**k / factorial(k + 3) for k in range(40)), -HALF_LN_2, HALF_LN_2, lambda x: x * x),
+    ("QUAD_M", "12/π·asin(w·sin(π/12)) = w − w·(1 − w²)·p(w²), |w| ≤ 1: the forward ordinate of the quadrilateralized cube", odd_unit(quad_m), 0, 1, lambda z: 1 - z),
     ("QUAD_T", "t(m) = m − m·(1 − m²)·p(m²), |m| ≤ 1: its inverse", odd_unit(quad_t), 0, 1, lambda z: 1 - z),
+    ("QUAD_S", "s(m) = 1/√(2 + t²) = 1/√3 + (1 − m²)·p(m²), |m| ≤ 1: the outward component on the edge", lambda z: (quad_s(sqrt(z)) - quad_s(mpf(1))) / (1 - z), 0, 1, lambda z: 1 - z),
     ("VERTEX_T", "t(τ) = τ + τ·(1 − τ)·p(τ), 0 ≤ τ ≤ 1: the vertex map's area share", unit(vertex_t), 0, 1, lambda x: 1 - x),
     ("VERTEX_TAU", "τ(t) = t + t·(1 − t)·p(t), 0 ≤ t ≤ 1: its inverse", unit(vertex_tau), 0, 1, lambda x: 1 - x),
     ("POWER_RE", "Re c(k) = 1 + k·p(k), |k| ≤ 1, c(k) = e^(iπ/8)(1 + ik/√3)^¾/cos(π/8): the conformal map toward the plane", lambda k: (conformal_power(k).real - 1) / k, -1, 1, abs),

@@ -9,27 +9,41 @@
 //! | [`atan`], [`atan2`] | all | 0.85 ulp | 0.85 ulp |
 //! | [`atan2_degrees`] | all | 0.85 ulp | 0.85 ulp |
 //! | [`cbrt`] | normal | 1 ulp | 1 ulp |
+//! | [`exp_m1`] | all | 0.75 ulp | 0.75 ulp |
+//! | [`log2`] | all | 0.85 ulp | 0.85 ulp |
 
 mod atan;
 mod cbrt;
 mod complex;
 pub(crate) mod conformal;
+mod exp_m1;
 pub(crate) mod geodesic;
+mod gudermannian;
 pub(crate) mod latitude;
+mod log2;
 mod minimax;
 mod polynomial;
+mod remainder;
 mod sin_cos;
+#[cfg(not(feature = "std"))]
+mod sqrt;
 mod tan;
 
 pub(crate) use atan::octant;
 pub use atan::{atan, atan2, atan2_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::{Complex, complex_polynomial};
-pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
+pub use exp_m1::exp_m1;
+pub(crate) use gudermannian::{gudermannian, inverse_gudermannian};
+pub use log2::log2;
+pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_S, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::{halves, odd_unit};
+pub(crate) use remainder::remainder;
 pub use sin_cos::{sin_cos, sin_cos_degrees};
 pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_eighth, sin_cos_quarter, sin_cos_small};
+#[cfg(not(feature = "std"))]
+pub(crate) use sqrt::sqrt_f32;
 pub use tan::tan;
 
 use crate::Real;
@@ -66,12 +80,6 @@ pub(crate) fn either<T: Real>(condition: bool, then: T) -> T {
 #[inline(always)]
 pub(crate) fn choose<T: Real>(condition: bool, then: T, otherwise: T) -> T {
     either(condition, then) + either(!condition, otherwise)
-}
-
-/// Two finite numbers, exchanged or not.
-#[inline(always)]
-pub(crate) fn exchange<T: Real>(condition: bool, [a, b]: [T; 2]) -> [T; 2] {
-    [choose(condition, b, a), choose(condition, a, b)]
 }
 
 /// The smaller of two numbers.

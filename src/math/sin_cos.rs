@@ -13,7 +13,7 @@ use crate::Real;
 /// assert_eq!((sin, cos), (1.0, 6.123233995736766e-17));
 /// ```
 #[must_use]
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     let q = (x * T::of(core::f64::consts::FRAC_2_PI)).round();
     // π/2 in parts of 33, 33 and 53 bits (17, 17, 24): q times each of the first two is exact.
@@ -42,7 +42,7 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
 /// assert_eq!(terrella::math::sin_cos_degrees(180.0_f64), (0.0, -1.0));
 /// ```
 #[must_use]
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
     let (q, (high, low)) = quarter_and_rest(x);
     let [result, _] = reduced(high, low, T::ZERO);
@@ -50,7 +50,7 @@ pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
 }
 
 /// Sine and cosine as [`sin_cos_degrees`] gives them but for a rounding, and what is to be added to each: together within 0.2 ulp.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(crate) fn sin_cos_degrees_with_rest<T: Real>(x: T) -> [(T, T); 2] {
     let (q, (high, low)) = quarter_and_rest(x);
     let (head, tail) = high.split();
@@ -102,7 +102,7 @@ fn reduced<T: Real>(x: T, low: T, lost: T) -> [(T, T); 2] {
 }
 
 /// Sine and cosine of 0 ≤ x ≤ 90 degrees, within 1.5 ulp.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(crate) fn sin_cos_quarter<T: Real>(x: T) -> (T, T) {
     let upper = x > T::of(45.0);
     let turned = either(upper, T::of(90.0)) + (T::ONE - either(upper, T::of(2.0))) * x;
@@ -111,7 +111,7 @@ pub(crate) fn sin_cos_quarter<T: Real>(x: T) -> (T, T) {
 }
 
 /// Sine and cosine of |x| ≤ π/4, within 1 ulp, by a shorter chain than [`sin_cos_small`].
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(crate) fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
     let z = x * x;
     let sin = x + x * z * halves(z, T::terms(6, 4), |i| T::coefficient(&SIN, i));
@@ -120,7 +120,7 @@ pub(crate) fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
 }
 
 /// Sine and cosine of |x| ≤ π/4, without a reduction.
-#[inline(always)]
+#[cfg_attr(not(small), inline(always))]
 pub(crate) fn sin_cos_small<T: Real>(x: T) -> (T, T) {
     let [result, _] = reduced(x, T::ZERO, T::ZERO);
     result

@@ -2,7 +2,7 @@ use core::fmt;
 
 use super::LatLon;
 use crate::Real;
-use crate::math::{atan2_degrees, max, select, sin_cos_degrees};
+use crate::math::{atan2_degrees, max, select};
 
 /// A unit vector in Earth axes: x through (0° N, 0° E), y through (0° N, 90° E), z through the north pole.
 ///
@@ -79,10 +79,9 @@ impl<T: Real> Direction<T> {
         Self { x, y, z }
     }
 
-    /// From the sine and cosine of a latitude, and a longitude in degrees.
+    /// From sine and cosine of a latitude and a longitude.
     #[inline(always)]
-    pub(crate) fn from_latitude((sin_lat, cos_lat): (T, T), lon: T) -> Self {
-        let (sin_lon, cos_lon) = sin_cos_degrees(lon);
+    pub(crate) fn from_angles((sin_lat, cos_lat): (T, T), (sin_lon, cos_lon): (T, T)) -> Self {
         Self::within(cos_lat * cos_lon, cos_lat * sin_lon, sin_lat)
     }
 
@@ -116,7 +115,7 @@ impl<T: Real> Direction<T> {
 
     /// The latitude and longitude of this point of the unit sphere; the longitude of a pole is 0 or ±180.
     ///
-    /// Worst error 1.5 ulp of each angle, next to the poles too.
+    /// Worst error 2.3 ulp of the latitude, 0.85 ulp of the longitude, next to the poles too.
     ///
     /// ```
     /// # use terrella::{Direction, LatLon};

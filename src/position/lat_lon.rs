@@ -86,7 +86,14 @@ impl<T: Real> LatLon<T> {
     #[must_use]
     #[inline]
     pub fn to_direction(self) -> Direction<T> {
-        Direction::from_latitude(sin_cos_degrees(self.lat), self.lon)
+        let [latitude, longitude] = self.sin_cos();
+        Direction::from_angles(latitude, longitude)
+    }
+
+    /// Sine and cosine of latitude and longitude; not inlined, so that both are computed side by side whatever a caller does between.
+    #[inline(never)]
+    pub(crate) fn sin_cos(self) -> [(T, T); 2] {
+        [sin_cos_degrees(self.lat), sin_cos_degrees(self.lon)]
     }
 }
 

@@ -11,12 +11,13 @@ use crate::math::{max, min, select};
 ///
 /// 1. *The tile's edges.* C is the direction of the tile's middle. Seen from the planet's centre on the plane that touches the unit sphere in C,
 ///    each half of an edge stays within ½μ + lw/128 of the straight line between its ends, where l is the distance of the edge's ends, μ
-///    that of its middle from their line, and w = 2^(1−L) the edge's length in x or y. This is what is taken from a projection: in
-///    those of this crate 0.0043 was the most that was found in place of 1/128 (`tests/terrain/bounds.rs` searches); in twelve of them
-///    the edges bend far less. One of a user's own that bends more is bounded only as far as it does not.
+///    that of its middle from their line, and w = 2^(1−L) the edge's length in x or y. This is what is taken from a projection, and it rests
+///    on a search, not on formulas: over every tile to level 8 and 200 000 deeper ones of each projection, most of them where it is
+///    singular, 0.0043 was the most in place of 1/128 (`vertex`; nothing at all in nine of them). A projection of a user's own that bends
+///    more is bounded only as far as it does not.
 /// 2. *The tile's directions.* The map is one to one, so that the tile is bounded by its edges: it lies in the rectangle around eight points
-///    of them, widened by that much. The corners of that rectangle span the convex spherical quadrangle Q. It is inside the cap about C through the
-///    farthest corner; let its radius be θ. On the plane that touches in n, the ellipsoid's normal above F, the foot of C, Q is a
+///    of them, widened by that much. The corners of that rectangle span the convex spherical quadrangle Q. It is inside the cap about C through
+///    the farthest of them; let its radius be θ. On the plane that touches in n, the ellipsoid's normal above F, the foot of C, Q is a
 ///    convex quadrangle again, in the rectangle p₀ ≤ p ≤ p₁, q₀ ≤ q ≤ q₁ of its corners along axes e₁, e₂; and for D in Q
 ///    e₁·D = p/√(1 + p² + q²), which rises with p.
 /// 3. *Ground and normal as maps of the sphere.* G(D) is the foot and N(D) the normal where D leads. Their singular values are within

@@ -21,6 +21,7 @@ use crate::cube::{Face, Numbering};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hilbert;
 
 impl Curve for Hilbert {}
@@ -83,8 +84,7 @@ impl Order for Hilbert {
         }
         let state = state >> 2;
         let (s, r) = (state & ALTERNATE, state >> 1 & ALTERNATE);
-        let swapped = s & low ^ r;
-        let i = high ^ swapped;
+        let i = high ^ s & low ^ r;
         let j = i ^ low;
         reversed(face, exchanged(face, (gathered(i), gathered(j))))
     }

@@ -1,17 +1,26 @@
-//! Terrain on the cube: [`Tile`], the square piece of a face that a renderer loads, culls and draws.
+//! Terrain on the cube, for a renderer to call: which [`Tile`]s there are, what they are called, and which of them a picture needs.
 //!
 //! Lambers & Kolb, *Ellipsoidal cube maps for accurate rendering of planetary-scale terrain data* (Pacific Graphics 2012), for every
 //! projection, ellipsoid and shift.
 //!
+//! | | |
+//! |---|---|
+//! | [`Tile`] | face, level, column and row; parent and children, the places in it, its neighbours |
+//! | [`Key`] | a tile as one number, in [`Morton`]'s or [`Hilbert`]'s order, for a sorted table or a file's name |
+//! | [`Enclosure`] | boxes and spheres that contain tiles with their terrain |
+//! | [`Horizon`] | what the planet itself hides |
+//! | [`Selection`] | the tiles a picture is drawn from, of every place that is seen one |
+//!
 //! ```
 //! use terrella::cube::{CubeMap, Quadrilateralized};
-//! use terrella::terrain::Tile;
+//! use terrella::terrain::{Hilbert, Key, Tile};
 //! use terrella::{Ellipsoid, LatLon, Shift};
 //!
 //! let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Quadrilateralized)?;
 //! let oslo = map.project(LatLon::new(59.9139, 10.7522)?);
 //! let tile = Tile::containing(oslo, 12)?;
 //! assert_eq!((tile.face().index(), tile.i(), tile.j()), (4, 2339, 668));
+//! assert_eq!(Key::<Hilbert>::from(tile).to_string(), "4646541");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

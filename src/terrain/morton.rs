@@ -15,6 +15,7 @@ use crate::cube::Face;
 /// # Ok::<(), terrella::terrain::InvalidTile>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Morton;
 
 impl Curve for Morton {}

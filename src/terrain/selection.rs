@@ -6,7 +6,7 @@ use super::{Camera, Enclosure, Heights, Horizon, InvalidTile, OrientedBox, Tile}
 use crate::Real;
 use crate::cube::{CubeProjection, Face};
 use crate::distortion::texture::anisotropic;
-use crate::math::min;
+use crate::math::{log2, min};
 
 /// How finely a picture wants its terrain.
 ///
@@ -104,8 +104,8 @@ impl<T: fmt::Debug> core::error::Error for InvalidDetail<T> {}
 /// the horizon hides nothing that is seen, so that no place is missed; and the quarters of a tile have no place in common, so that none is drawn twice, but for
 /// the lines between tiles.
 ///
-/// An iterator that needs no stack: where it goes on is told by the address of the tile it has done with, first of a face its lower left tile and last its
-/// upper right one. The work is some 20 to 30 boxes more than there are tiles.
+/// An iterator that needs no stack: where it goes on is told by the address of the tile it has done with. Tiles come in the order of
+/// [`Morton`](super::Morton)'s keys.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Quadrilateralized};
@@ -150,7 +150,7 @@ impl<'a, T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Selection<'a,
             horizon: Horizon::new(enclosure.map().shifted().ellipsoid(), lowest, camera.eye()),
             detail,
             most: detail.ratio * (detail.samples * detail.samples),
-            coarsest: -(T::of(0.5) * detail.ratio.log2()),
+            coarsest: -(T::of(0.5) * log2(detail.ratio)),
             heights,
             next: Some(Tile::root(Face::Front)),
         }

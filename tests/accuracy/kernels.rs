@@ -90,6 +90,11 @@ kernel!(atan2_degrees("y", "x") -> ["atan2_degrees"], "kernel_atan2",
     |x| [math::atan2_degrees(x[0], x[1])], |rng| [signed(rng), signed(rng)]);
 kernel!(cbrt("x") -> ["cbrt"], "kernel_cbrt",
     |x| [math::cbrt(x[0])], |rng| [8.0 * signed(rng)]);
+kernel!(exp_m1("x") -> ["exp_m1"], "kernel_exp_m1", limit 88.5,
+    |x| [math::exp_m1(x[0])], |rng| [88.5 * signed(rng) * rng.f32() * rng.f32()]);
+kernel!(log2("x") -> ["log2"], "kernel_log2",
+    |x| [math::log2(x[0])],
+    |rng| [if rng.bool() { 0.5 + 1.5 * rng.f32() } else { f32::from_bits(rng.u32(0x80_0000..0x7F80_0000)) }]);
 
 #[test]
 fn degrees_are_exact_where_the_result_is() {
@@ -139,4 +144,46 @@ fn out_of_domain_is_not_a_number() {
         (math::cbrt(0.0_f64), math::cbrt(-8.0_f32), math::cbrt(f64::INFINITY)),
         (0.0, -2.0, f64::INFINITY)
     );
+}
+
+#[test]
+fn logarithm_and_exponential_at_the_ends() {
+    fn check<T: Scalar>(least: f64, overflows: f64, digits: f64) {
+        let of = |value: f64| T::lift(value).unwrap_or_else(|| T::of(value));
+        let (infinity, nan) = (of(f64::INFINITY), of(f64::NAN));
+        assert_eq!(math::exp_m1(infinity), infinity);
+        assert_eq!(math::exp_m1(of(overflows)), infinity);
+        assert!(math::exp_m1(of(overflows - 0.01)).is_finite());
+        for far in [f64::NEG_INFINITY, -1e30, -1000.0, -709.0, -100.0, -87.0, -45.0] {
+            assert_eq!(math::exp_m1(of(far)), -T::ONE, "{far}");
+        }
+        // A number as small as this is its own result; a zero keeps its sign.
+        for tiny in [0.0, least, 3.0 * least, 1e10 * least] {
+            for tiny in [tiny, -tiny] {
+                let result: f64 = math::exp_m1(of(tiny)).into();
+                assert_eq!(result.to_bits(), tiny.to_bits(), "{tiny:e}");
+            }
+        }
+        assert_eq!(math::log2(infinity), infinity);
+        assert_eq!((math::log2(T::ZERO), math::log2(-T::ZERO)), (-infinity, -infinity));
+        for out in [
+            math::exp_m1(nan),
+            math::log2(nan),
+            math::log2(-T::ONE),
+            math::log2(-infinity),
+        ] {
+            assert!(out.into().is_nan());
+        }
+        // Every power of two, the subnormal ones too.
+        let mut power = least;
+        for k in -digits as i32..=-(digits as i32) + 60 {
+            assert_eq!(math::log2(of(power)), of(f64::from(k)));
+            power *= 2.0;
+        }
+    }
+    check::<f64>(5e-324, 709.79, 1074.0);
+    check::<f32>(f64::from(f32::from_bits(1)), 88.73, 149.0);
+    // Subnormal numbers that are no powers of two.
+    assert_eq!(math::log2(f64::from_bits(3)), -1072.415037499279);
+    assert_eq!(math::log2(f32::from_bits(3)), -147.41504);
 }

@@ -11,7 +11,11 @@ mod edges;
 mod faces;
 mod neighbours;
 mod numbering;
+mod places;
 mod range;
 mod sample;
+#[allow(dead_code)] // shared
+#[path = "../laws/scalar.rs"]
+mod scalar;
 mod symmetry;
 mod unfolded;

@@ -1,58 +1,15 @@
 //! Scalars, and inputs of every kind: everywhere, on and next to edges, corners, diagonals and centres, and tiny.
 
-use std::fmt::Debug;
-
 use fastrand::Rng;
 use rayon::prelude::*;
+use terrella::Direction;
 use terrella::cube::{Face, Projection};
-use terrella::{Direction, Real};
 
-/// A scalar under test.
-pub trait Scalar: Real + Into<f64> + Debug {
-    const NAME: &'static str;
-    /// The smallest positive number.
-    const SMALLEST: Self;
-    /// The smallest positive normal number.
-    const SMALLEST_NORMAL: Self;
-    /// The next larger number, of a finite one.
-    fn above(self) -> Self;
-    /// The next smaller number.
-    fn below(self) -> Self {
-        -(-self).above()
-    }
-    /// The bits, to tell zeros and NaNs apart.
-    fn bits(self) -> u64;
-}
-
-macro_rules! scalar {
-    ($($float:ident)*) => {$(
-        impl Scalar for $float {
-            const NAME: &'static str = stringify!($float);
-            const SMALLEST: Self = $float::from_bits(1);
-            const SMALLEST_NORMAL: Self = $float::MIN_POSITIVE;
-            fn above(self) -> Self {
-                if self == 0.0 {
-                    return Self::SMALLEST;
-                }
-                let bits = self.to_bits();
-                Self::from_bits(if self > 0.0 { bits + 1 } else { bits - 1 })
-            }
-            fn bits(self) -> u64 {
-                self.to_bits().into()
-            }
-        }
-    )*};
-}
-scalar!(f32 f64);
+pub use crate::scalar::{Scalar, ulps};
 
 /// Runs a check of a projection for all of them.
 pub fn every_projection(check: impl Fn(Projection) + Sync) {
     Projection::ALL.par_iter().for_each(|&projection| check(projection));
-}
-
-/// |a − b| in ulps of the numbers in [½, 1): halves of [`Real::EPSILON`].
-pub fn ulps<T: Scalar>(a: T, b: T) -> f64 {
-    (a.into() - b.into()).abs() / (0.5 * T::EPSILON.into())
 }
 
 /// A number in [−1, 1).

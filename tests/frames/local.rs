@@ -251,3 +251,36 @@ fn what_is_not_finite_is_refused() {
     assert_eq!(frame.to_enu(frame.origin_ecef()), Enu::default());
     assert_eq!(frame.geodetic_to_enu(frame.origin()), Enu::default());
 }
+
+/// Far and near: the range and the elevation of vectors whose squares leave the scalar, in `f32` from 10¹⁸ m on.
+#[test]
+fn ranges_at_the_ends_of_the_scalar() {
+    fn check<T: Scalar>(sizes: &[f64]) {
+        for &size in sizes {
+            let of = |v: f64| T::of(v * size);
+            let seen = Aer::from(Enu {
+                east: T::ZERO,
+                north: of(3.0),
+                up: of(4.0),
+            });
+            let expected = 5.0 * of(1.0).into();
+            assert!(
+                (seen.range.into() / expected - 1.0).abs() <= 2.0 * T::EPSILON.into(),
+                "{size:e}: {seen:?}"
+            );
+            // Nearly straight down: the small component has its digits too.
+            let seen = Aer::from(Enu {
+                east: T::ZERO,
+                north: of(3e-5),
+                up: of(-1.0),
+            });
+            let elevation = 3e-5f64.atan().to_degrees() - 90.0;
+            assert!(
+                (seen.elevation.into() - elevation).abs() <= 90.0 * T::EPSILON.into(),
+                "{size:e}: {seen:?}"
+            );
+        }
+    }
+    check::<f32>(&[1e-30, 1e-20, 1.1e-18, 1e-12, 1.0, 1e17, 2.3e18, 1e30, 6e37]);
+    check::<f64>(&[1e-290, 1e-160, 3.1e-151, 1e-136, 1.0, 1e150, 1e200, 1e307]);
+}

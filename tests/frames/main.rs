@@ -12,6 +12,8 @@ mod extremes;
 mod local;
 mod nearest;
 mod round_trip;
+#[path = "../laws/nearest.rs"]
+mod search;
 #[path = "../accuracy/table.rs"]
 #[allow(dead_code)] // other tests use the rest of it
 mod table;

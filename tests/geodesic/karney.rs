@@ -23,9 +23,10 @@ fn place<T: Scalar>(row: Row, lat: &str, lon: &str) -> LatLon<T> {
     LatLon::new(row.input(lat), row.input(lon)).unwrap()
 }
 
-/// |a − b| of two angles in degrees, in radians.
-fn turn(a: f64, b: f64) -> f64 {
-    ((a - b + 540.0).rem_euclid(360.0) - 180.0).abs().to_radians()
+/// |computed − truth| of an angle in degrees, in radians.
+fn turn<T: Scalar>(row: Row, column: &str, computed: T) -> f64 {
+    let error = row.error(column, computed);
+    error.min((360.0 - error).abs()).to_radians()
 }
 
 /// In `f32` an error may grow by 1.5e-7 of the distance before it counts.
@@ -57,14 +58,13 @@ fn inverse<T: Scalar>(name: &str) -> Inverse {
             let error = beyond_rounding::<T>(row.error("s12", way.distance), s12);
             worst.distance = worst.distance.max(error);
 
-            let azimuths = [way.azimuth1.into(), way.azimuth2.into()];
-            let [a1, a2] = ["azi1", "azi2"].map(|column| row.value(column));
-            let off = |a: [f64; 2]| turn(azimuths[0], a[0]).max(turn(azimuths[1], a[1])) * m12.min(s12);
+            let off = |one: T, other: T| turn(row, "azi1", one).max(turn(row, "azi2", other)) * m12.min(s12);
+            let (azimuth1, azimuth2) = (way.azimuth1, way.azimuth2);
             let error = match row.text("multi") {
-                "two_swap" => off([a1, a2]).min(off([a2, a1])),
-                "two_ew" => off([a1, a2]).min(off([-a1, -a2])),
+                "two_swap" => off(azimuth1, azimuth2).min(off(azimuth2, azimuth1)),
+                "two_ew" => off(azimuth1, azimuth2).min(off(-azimuth1, -azimuth2)),
                 "infinite" | "coincident" => 0.0,
-                _ => off([a1, a2]),
+                _ => off(azimuth1, azimuth2),
             };
             worst.azimuth = worst.azimuth.max(error);
         }
@@ -103,12 +103,7 @@ fn direct<T: Scalar>(name: &str) -> [f64; 2] {
                 "{there:?} {along:?}"
             );
             let north = rho * row.error("lat2", lat).to_radians();
-            let across = (row.value("lon2") - lon.into()).abs() > 180.0;
-            let east = if across {
-                turn(lon.into(), row.value("lon2"))
-            } else {
-                row.error("lon2", lon).to_radians()
-            };
+            let east = turn(row, "lon2", lon);
             let east = if row.text("multi") == "pole_end" {
                 0.0
             } else {
@@ -298,6 +293,71 @@ fn short_lines_keep_their_digits() {
         "Karney inverse to 150 km, relative to 1 m or more",
         [errors.fold(0.0, f64::max), worst],
     );
+}
+
+/// After so many circuits that the flattening alone makes circles of longitude, a place is still one.
+#[test]
+fn very_many_circuits_end_on_the_globe() {
+    fn check<T: Scalar>(radii: f64) {
+        for name in ["wgs84", "oblate10", "prolate150"] {
+            let karney = Karney::<T>::new(ellipsoid(name)).unwrap();
+            for azimuth in [-120.0, -90.0, 0.0, 45.0, 73.0] {
+                for part in [-1.0, -0.51, 0.06, 0.3, 0.99] {
+                    let distance = T::of(part * radii * 5.7e6);
+                    let from = LatLon::new(T::of(8.0), T::of(170.0)).unwrap();
+                    let end = karney.direct(from, T::of(azimuth), distance).unwrap().position;
+                    assert_eq!(
+                        LatLon::new(end.lat(), end.lon()),
+                        Ok(end),
+                        "{name} {azimuth} {distance:?}"
+                    );
+                }
+            }
+        }
+    }
+    check::<f64>(1e5);
+    check::<f32>(98.0);
+}
+
+/// Places so near each other that products of their differences are 0.
+#[test]
+fn places_next_to_each_other_have_azimuths() {
+    fn check<T: Scalar>(least: f64) {
+        let karney = Karney::<T>::new(ellipsoid("wgs84")).unwrap();
+        for lat in [-75.585_94, 0.0, 30.0, 75.585_94, 90.0] {
+            for east in [least, 3.0 * least, 100.0 * least] {
+                let [from, to] = [0.0, east].map(|lon| LatLon::new(T::of(lat), T::of(lon)).unwrap());
+                for line in [karney.solve(from, to).inverse, karney.inverse(from, to).unwrap()] {
+                    assert!(line.distance.into() < 1e-30, "{lat} {east:e}: {line:?}");
+                    assert!(
+                        line.azimuth1.into().abs() <= 180.0 && line.azimuth2.into().abs() <= 180.0,
+                        "{line:?}"
+                    );
+                }
+            }
+        }
+    }
+    check::<f64>(5e-324);
+    check::<f32>(1.4e-45);
+}
+
+/// Opposite places next to the equator of an ellipsoid slightly longer than wide: along it, where the azimuth cannot be told.
+#[test]
+fn opposite_places_of_a_prolate_equator() {
+    fn check<T: Scalar>(flattenings: [f64; 3], lat: f64, allowed: f64) {
+        for f in flattenings {
+            let ellipsoid = Ellipsoid::new(T::of(6.4e6), T::of(f)).unwrap();
+            let karney = Karney::new(ellipsoid).unwrap();
+            for (lat1, lat2) in [(0.0, lat), (-lat, 2.0 * lat), (3.0 * lat, 3.0 * lat)] {
+                let from = LatLon::new(T::of(lat1), T::of(-180.0)).unwrap();
+                let to = LatLon::new(T::of(lat2), T::ZERO).unwrap();
+                let error = (karney.solve(from, to).inverse.distance.into() - std::f64::consts::PI * 6.4e6).abs();
+                assert!(error <= allowed, "{f:e} {lat1:e} {lat2:e}: {error:e}");
+            }
+        }
+    }
+    check::<f64>([-1e-5, -2.4e-6, -5e-7], 2f64.powi(-57), 4e-9);
+    check::<f32>([-1e-6, -5.9e-8, -2e-8], 2f64.powi(-38), 2.0);
 }
 
 /// Corners around a place, and the same polygon by GeographicLib.

@@ -166,3 +166,45 @@ fn what_is_not_finite_is_refused() {
         }
     }
 }
+
+/// A pole is one place, by whatever longitudes it is named.
+fn pole<T: Scalar>() {
+    for (name, method) in methods::<T>(1.0 / 298.0) {
+        for lat in [90.0, -90.0] {
+            for lon in [1.0, 60.0, 91.0, 150.0, 180.0] {
+                let line = method
+                    .inverse(place(T::of(lat), T::ZERO), place(T::of(lat), T::of(lon)))
+                    .unwrap();
+                // The cosine of a latitude is never 0 there, nor is the plane's parallel.
+                assert!(line.distance.into() < 1e-9, "{name} {lat} {lon}: {line:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_pole_is_no_way_from_itself() {
+    pole::<f64>();
+    pole::<f32>();
+}
+
+/// Opposite longitudes next to the equator, where what tells the azimuth is subnormal.
+#[test]
+fn vincenty_answers_where_numbers_are_subnormal() {
+    for f in [1.0 / 298.257_223_563, 1.0 / 60.0, 1e-3, 1e-6, 1e-9] {
+        let single = Vincenty::new(Ellipsoid::new(6.4e6_f32, f as f32).unwrap()).unwrap();
+        for (lat, lon) in [(1.561_251_1e-16, 8.178_91e-25), (1e-20, 8.178_91e-25), (1e-30, 1e-38)] {
+            assert!(
+                single.inverse(place(lat, lon), place(lat, 180.0)).is_ok(),
+                "{f:e} {lat:e}"
+            );
+        }
+        let double = Vincenty::new(Ellipsoid::new(6.4e6, f).unwrap()).unwrap();
+        for (lat, lon) in [(1e-160, 1e-160), (1e-200, 1e-150), (1e-300, 1e-300)] {
+            assert!(
+                double.inverse(place(lat, lon), place(lat, 180.0)).is_ok(),
+                "{f:e} {lat:e}"
+            );
+        }
+    }
+}

@@ -85,7 +85,7 @@ fn nothing_is_hidden_by_ground_that_may_not_be_there() {
     let mut rng = Rng::with_seed(2);
     for ellipsoid in shapes() {
         let mut hidden = 0;
-        for _ in 0..20_000 {
+        for _ in 0..4_000 {
             let lowest: f64 = [-430.0, -11_000.0, -100_000.0, 500.0][rng.usize(0..4)];
             let (eye, point) = pair(&mut rng, ellipsoid, 20_000.0);
             let (eye, point) = (deeper(ellipsoid, eye, lowest), deeper(ellipsoid, point, lowest));
@@ -94,21 +94,21 @@ fn nothing_is_hidden_by_ground_that_may_not_be_there() {
             }
             hidden += 1;
             let (v, t) = (eye.to_array(), point.to_array());
-            let least = (0..=400)
+            let least = (0..=200)
                 .map(|n| {
-                    let s = f64::from(n) / 400.0;
+                    let s = f64::from(n) / 200.0;
                     let [x, y, z] = std::array::from_fn(|k| v[k] + s * (t[k] - v[k]));
                     ellipsoid.to_geodetic(Ecef::new(x, y, z).unwrap()).height()
                 })
                 .fold(f64::INFINITY, f64::min);
             // Between the samples it may be lower still.
-            let step = (0..3).map(|k| (t[k] - v[k]).powi(2)).sum::<f64>() / 160_000.0;
+            let step = (0..3).map(|k| (t[k] - v[k]).powi(2)).sum::<f64>() / 40_000.0;
             assert!(
                 least <= lowest + step / (8.0 * ellipsoid.b().min(ellipsoid.a()) * 0.2) + 1e-6,
                 "{least} {lowest}"
             );
         }
-        assert!(hidden > 2_000, "{hidden}");
+        assert!(hidden > 400, "{hidden}");
     }
 }
 

@@ -219,6 +219,40 @@ def cbrt(rng):
     write("cbrt", "Cube root, x from 0 to 1e300, many in [1e-3, 1]", f"cube closes to {closure} (relative).", ["x", "cbrt", "class"], rows)
 
 
+def exp_m1(rng):
+    s = lambda: rng.choice((-1, 1))
+    inputs = tag([rng.uniform(-1, 1) for _ in range(150)] + [rng.uniform(-40, 0) for _ in range(60)] + [rng.uniform(0, 709) for _ in range(60)], "uniform")
+    inputs += tag([s() * log_uniform(rng, 1e-20, 1) for _ in range(80)], "log") + tag(TINY, "tiny")
+    inputs += tag([0, 1, -1, 2, -2, 10, -10, -30, -600, -745, 700, 709.78], "exact")
+    for k in [-107, -106, -75, -53, -11, *range(-5, 6), 11, 49, 75, 107, 108, 109, 2045]:
+        inputs += tag(around(rng, k * mp.log(2) / 2), "near")
+    inputs += f32_rows(rng, lambda r: r.uniform(-2, 2), 80) + f32_rows(rng, lambda r: r.uniform(-17, 88), 40)
+    inputs += f32_rows(rng, lambda r: s() * log_uniform(r, 1e-30, 1), 30)
+    mp.dps, keep = 500, mp.dps  # -745 is close to the end of the result, -1
+    rows, closure = table(inputs, mp.expm1, mp.log1p)
+    write("exp_m1", "e^x - 1, x from -745 to 709.78, many in [-1, 1]", f"ln(1 + it) closes to {closure} (relative).",
+          ["x", "exp_m1", "class"], rows)
+    mp.dps = keep
+
+
+def log2(rng):
+    inputs = tag([rng.uniform(0.5, 2) for _ in range(150)], "uniform") + tag([log_uniform(rng, 1e-300, 1e300) for _ in range(100)], "log")
+    inputs += tag([1 + rng.choice((-1, 1)) * log_uniform(rng, 1e-16, 0.5) for _ in range(60)], "near")
+    inputs += tag([x for x in TINY if x > 0] + [1.7976931348623157e308, 2.2250738585072014e-308], "extreme")
+    inputs += tag([2.0 ** k for k in (-1022, -1000, -149, -126, -10, -3, -2, -1, 0, 1, 2, 3, 10, 127, 1000, 1023)], "exact")
+    for k in (-300, -30, -3, -2, -1, 0, 1, 2, 3, 30, 300):
+        inputs += tag(around(rng, mpf(2) ** k) + around(rng, mpf(2) ** k * mp.sqrt(2)), "near")
+    inputs += f32_rows(rng, lambda r: r.uniform(0.5, 2), 80) + f32_rows(rng, lambda r: log_uniform(r, 1e-36, 1e36), 50)
+
+    def logarithm(x):
+        y = mp.log(x, 2)
+        n = mp.nint(y)
+        return n if mpf(2) ** n == x else y
+    rows, closure = table(inputs, logarithm, lambda y: mpf(2) ** y)
+    write("log2", "Logarithm to base 2, x from 1e-300 to 1.8e308, many in [1/2, 2]", f"its power of 2 closes to {closure} (relative).",
+          ["x", "log2", "class"], rows)
+
+
 def places(rng):
     """Latitude and longitude in degrees, near and far from poles, equator, antimeridian and the multiples of 45."""
     lat, lon = lambda: math.degrees(math.asin(rng.uniform(-1, 1))), lambda: rng.uniform(-180, 180)
@@ -255,7 +289,7 @@ def lat_lon(rng):
           f"cosines and sines give the vector back to {worst(differences)}.", ["x", "y", "z", "lat", "lon", "class"], rows)
 
 
-KERNELS = {f.__name__: f for f in (sin_cos_degrees, sin_cos, tan, atan, atan2, cbrt, direction, lat_lon)}
+KERNELS = {f.__name__: f for f in (sin_cos_degrees, sin_cos, tan, atan, atan2, cbrt, exp_m1, log2, direction, lat_lon)}
 
 if __name__ == "__main__":
     for name in sys.argv[1:] or KERNELS:

@@ -17,9 +17,8 @@ pub fn kernels<T: Real>(sweep: Sweep, points: &Points<T>) {
     sweep.count("math::atan2", units, |[x, y]| math::atan2(y, x));
     sweep.count("math::atan2_degrees", units, |[x, y]| math::atan2_degrees(y, x));
     sweep.count("math::cbrt", units, |[x, _]| math::cbrt(x));
-    sweep.count("Real::ln_1p", units, |[x, _]| x.ln_1p());
-    sweep.count("Real::exp_m1", units, |[x, _]| x.exp_m1());
-    sweep.count("Real::log2", units, |[x, _]| x.abs().log2());
+    sweep.count("math::exp_m1", units, |[x, _]| math::exp_m1(x));
+    sweep.count("math::log2", units, |[x, _]| math::log2(x.abs()));
 }
 
 pub fn positions<T: Real>(sweep: Sweep, points: &Points<T>) {

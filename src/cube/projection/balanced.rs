@@ -1,6 +1,6 @@
 use super::{CubeProjection, Face, from_gnomonic};
 use crate::Real;
-use crate::math::repeat;
+use crate::math::{Polynomial, repeat};
 
 /// The balanced cube: a polynomial map whose texels vary least, by the paper's own measure.
 ///
@@ -10,7 +10,7 @@ use crate::math::repeat;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Balanced;
 
-const B: [f64; 3] = [-0.22, 0.09, -0.11];
+const B: Polynomial<3, 3> = Polynomial::rounded([-0.22, 0.09, -0.11]);
 
 /// The factor 1 + p(b₀ + p(b₁ + b₂q)) of a coordinate, and the parts its derivatives share.
 struct Factor<T> {
@@ -24,7 +24,7 @@ struct Factor<T> {
 impl<T: Real> Factor<T> {
     #[inline(always)]
     fn new(p: T, q: T) -> Self {
-        let [b0, b1, b2] = B.map(T::of);
+        let [b0, b1, b2] = T::all(&B);
         let c = p * (b1 + b2 * q);
         let a = b0 + c;
         Self {
@@ -49,13 +49,13 @@ impl CubeProjection for Balanced {
             let (xx, yy) = (x * x, y * y);
             let (p, q) = (T::ONE - xx, T::ONE - yy);
             let (fx, fy) = (Factor::new(p, q), Factor::new(q, p));
-            let twist = T::of(-2.0 * B[2]) * (x * y);
+            let twist = T::of(-2.0 * B.f64[2]) * (x * y);
             let (ux, uy) = (fx.value - two * xx * (fx.a + fx.c), twist * p * p);
             let (vx, vy) = (twist * q * q, fy.value - two * yy * (fy.a + fy.c));
             let (du, dv) = (u - x * fx.value, v - y * fy.value);
-            let determinant = ux * vy - uy * vx;
-            x += (du * vy - dv * uy) / determinant;
-            y += (dv * ux - du * vx) / determinant;
+            let inverse = T::ONE / (ux * vy - uy * vx);
+            x += (du * vy - dv * uy) * inverse;
+            y += (dv * ux - du * vx) * inverse;
         });
         [x.signed_like(u), y.signed_like(v)]
     }

@@ -129,8 +129,8 @@ impl CubeProjection for CobeExact {
 }
 
 /// Pᵢⱼ of the published inverse u = x + x(1 − x²)ΣPᵢⱼx²ⁱy²ʲ: row j, column i.
-const P: [[f64; 7]; 7] = [
-    [
+const P: [Polynomial<7, 7>; 7] = [
+    Polynomial::rounded([
         -0.27292696,
         -0.07629969,
         -0.22797056,
@@ -138,8 +138,8 @@ const P: [[f64; 7]; 7] = [
         -0.62930065,
         0.25795794,
         0.02584375,
-    ],
-    [
+    ]),
+    Polynomial::rounded([
         -0.02819452,
         -0.01471565,
         0.48051509,
@@ -147,12 +147,12 @@ const P: [[f64; 7]; 7] = [
         1.71547508,
         -0.53022337,
         0.0,
-    ],
-    [0.27058160, -0.56800938, 0.30803317, 0.98938102, -0.83180469, 0.0, 0.0],
-    [-0.60441560, 1.50880086, -0.93678576, 0.08693841, 0.0, 0.0, 0.0],
-    [0.93412077, -1.41601920, 0.33887446, 0.0, 0.0, 0.0, 0.0],
-    [-0.63915306, 0.52032238, 0.0, 0.0, 0.0, 0.0, 0.0],
-    [0.14381585, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    ]),
+    Polynomial::rounded([0.27058160, -0.56800938, 0.30803317, 0.98938102, -0.83180469, 0.0, 0.0]),
+    Polynomial::rounded([-0.60441560, 1.50880086, -0.93678576, 0.08693841, 0.0, 0.0, 0.0]),
+    Polynomial::rounded([0.93412077, -1.41601920, 0.33887446, 0.0, 0.0, 0.0, 0.0]),
+    Polynomial::rounded([-0.63915306, 0.52032238, 0.0, 0.0, 0.0, 0.0, 0.0]),
+    Polynomial::rounded([0.14381585, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
 ];
 
 impl CubeProjection for Cobe {
@@ -168,8 +168,8 @@ impl CubeProjection for Cobe {
             let mut sum = T::ZERO;
             for row in P.iter().rev() {
                 let mut inner = T::ZERO;
-                for &c in row.iter().rev() {
-                    inner = inner * xx + T::of(c);
+                for c in T::all(row).into_iter().rev() {
+                    inner = inner * xx + c;
                 }
                 sum = sum * yy + inner;
             }

@@ -1,13 +1,16 @@
 use core::f64::consts::FRAC_PI_4;
 
-use super::{CubeProjection, Face};
-use crate::math::{atan, select, tan};
+use super::{CubeProjection, Face, on_face};
+use crate::math::{atan, either, select, tan};
 use crate::{Direction, Real};
 
 /// HEALPix on a cube: equal-area, side faces for |sin φ| < ⅔ and polar faces of four triangles.
 ///
 /// Górski et al. (2005), arranged as in Dimitrijević, Lambers & Rančić (2016) §4.7; the polar triangles are centred on
 /// longitudes 0°, 90°, 180°, 270°. The side faces are Lambert's cylindrical equal-area projection.
+///
+/// On both kinds of face x or y is proportional to the longitude: from and to latitude and longitude it needs neither direction nor arc
+/// tangent of the longitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Healpix;
@@ -25,15 +28,18 @@ fn ratio<T: Real>(x: T) -> T {
     tan(x * quarter) / tan(quarter)
 }
 
+/// Whether a latitude is a cap's, by its sine.
+#[inline(always)]
+fn is_cap<T: Real>(sin: T) -> bool {
+    T::of(3.0) * sin.abs() >= T::of(2.0)
+}
+
 impl CubeProjection for Healpix {
+    const TAKES_PLACES: bool = true;
+
     #[inline(always)]
-    fn face<T: Real>(&self, direction: Direction<T>) -> Face {
-        let [x, y, z] = direction.to_array();
-        select(
-            T::of(3.0) * z.abs() < T::of(2.0),
-            Face::equatorial(x, y),
-            Face::polar(z),
-        )
+    fn is_polar<T: Real>(&self, direction: Direction<T>) -> bool {
+        is_cap(direction.z())
     }
 
     #[inline(always)]
@@ -51,6 +57,66 @@ impl CubeProjection for Healpix {
         let side = [longitude, T::of(1.5) * up / length];
         let cap = select(steep, [sigma * longitude, sigma], [sigma, sigma * longitude]);
         select(polar, cap, side)
+    }
+
+    #[inline(always)]
+    fn project_place<T: Real>(&self, (sin, cos): (T, T), lon: T) -> [T; 3] {
+        let polar = is_cap(sin);
+        let right_angle = T::of(90.0);
+        let from_y = (lon.abs() - right_angle).abs();
+        // The side face, or the triangle of a cap: of the y axis or of the x axis, and on which side.
+        let sideways = from_y <= T::of(45.0);
+        let sign = T::ONE.copysign(select(sideways, lon, right_angle - lon.abs()));
+        let middle = select(sideways, right_angle, either(sign < T::ZERO, T::of(180.0))).copysign(lon);
+        let east = lon - middle;
+        // A zero tells 180 from −180.
+        let along = select(sideways, east, east.signed_like(sign * lon)) * T::of(1.0 / 45.0);
+        // √(3(1 − |sin φ|)) without the difference.
+        let outward = sign * cos * (T::of(3.0) / (T::ONE + sin.abs())).sqrt();
+        let across = outward * along;
+        let north = T::ONE.copysign(sin);
+        let cap = [
+            select(sideways, outward, across),
+            north * select(sideways, across, -outward),
+        ];
+        let side = [along, T::of(1.5) * sin];
+        let [x, y] = on_face(select(polar, cap, side));
+        let of_side = select(sideways, T::of(2.0), T::ONE) - sign;
+        [select(polar, T::of(4.5) - T::of(0.5) * north, of_side), x, y]
+    }
+
+    #[inline(always)]
+    fn unproject_place<T: Real>(&self, [number, x, y]: [T; 3]) -> ((T, T), T) {
+        let (one, half) = (T::ONE, T::of(0.5));
+        let polar = number > T::of(3.5);
+        // As seen from the north.
+        let north = one.copysign(T::of(4.5) - number);
+        let y_north = north * y;
+        let steep = y.abs() > x.abs();
+        let (outward, across) = (select(steep, -y_north, x), select(steep, x, y_north));
+        let sideways = select(
+            polar,
+            either(!steep, one),
+            either((number - T::of(2.0)).abs() == one, one),
+        ) > half;
+        let sign = one.copysign(select(polar, outward, T::of(1.5) - number));
+        let along = select(polar, across / select(outward == T::ZERO, one, outward), x);
+        let right_angle = T::of(90.0);
+        let middle = select(
+            sideways,
+            sign * right_angle,
+            either(sign < T::ZERO, T::of(-180.0).copysign(-along)),
+        );
+        let lon = T::of(45.0) * along + middle;
+
+        let height = y * T::of(2.0 / 3.0);
+        let side = (height, ((one - height) * (one + height)).sqrt());
+        let square = outward * outward;
+        let cap = (
+            north * (one - square * T::of(1.0 / 3.0)),
+            outward.abs() * (T::of(6.0) - square).sqrt() * T::of(1.0 / 3.0),
+        );
+        (select(polar, cap, side), lon)
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@ use core::fmt;
 use core::str::FromStr;
 
 use super::{Face, FacePoint};
-use crate::math::{max, min};
+use crate::math::{max, min, sin_cos_degrees};
 use crate::{Direction, Real};
 
 mod algebraic;
@@ -58,11 +58,20 @@ pub trait CubeProjection: Copy {
     #[must_use]
     fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3];
 
-    /// The face that a direction is mapped to: that of the largest component, unless the projection cuts the sphere otherwise.
+    /// Whether a direction is mapped to the top or the bottom: where z is the largest component, unless the projection cuts its caps
+    /// otherwise.
+    #[must_use]
+    #[inline(always)]
+    fn is_polar<T: Real>(&self, direction: Direction<T>) -> bool {
+        let [x, y, z] = direction.to_array();
+        (z.abs() > y.abs()) & (z.abs() >= x.abs())
+    }
+
+    /// The face that a direction is mapped to: the top or the bottom, or the side of its longitude; of equal |x| and |y| the axis y.
     #[must_use]
     #[inline(always)]
     fn face<T: Real>(&self, direction: Direction<T>) -> Face {
-        Face::containing(direction)
+        Face::of(self.is_polar(direction), direction)
     }
 
     /// From a direction to its place on the cube.
@@ -70,9 +79,40 @@ pub trait CubeProjection: Copy {
     #[inline(always)]
     fn project<T: Real>(&self, direction: Direction<T>) -> FacePoint<T> {
         let face = self.face(direction);
-        let [x, y] = self.forward(face, face.to_local(direction.to_array()));
-        let on_face = |v| max(min(v, T::ONE), -T::ONE);
-        FacePoint::within(face, on_face(x), on_face(y))
+        let [x, y] = on_face(self.forward(face, face.to_local(direction.to_array())));
+        FacePoint::within(face, x, y)
+    }
+
+    /// Whether a latitude and a longitude are all that the projection asks for: then a [`CubeMap`](super::CubeMap) goes by
+    /// [`project_place`](Self::project_place) and [`unproject_place`](Self::unproject_place), and not through directions.
+    const TAKES_PLACES: bool = false;
+
+    /// From sine and cosine of a latitude on the sphere, and a longitude in [−180, 180] degrees, to the face's number, x and y.
+    ///
+    /// ```
+    /// use terrella::cube::{CubeProjection, Face, Healpix};
+    /// let (sin, cos) = (0.6, 0.8);
+    /// let [number, x, y] = Healpix.project_place((sin, cos), 99.0);
+    /// assert_eq!((number, x, y), (f64::from(Face::Right.index()), 0.2, 1.5 * sin));
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    fn project_place<T: Real>(&self, latitude: (T, T), lon: T) -> [T; 3] {
+        let point = self.project(Direction::from_angles(latitude, sin_cos_degrees(lon)));
+        [T::from_byte(point.face().index()), point.x(), point.y()]
+    }
+
+    /// From a face's number, x and y to sine and cosine of the latitude on the sphere, and the longitude in [−180, 180] degrees.
+    ///
+    /// ```
+    /// use terrella::cube::{CubeProjection, Healpix};
+    /// assert_eq!(Healpix.unproject_place([1.0, 0.2, 0.0]), ((0.0, 1.0), 99.0));
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    fn unproject_place<T: Real>(&self, [number, x, y]: [T; 3]) -> ((T, T), T) {
+        let direction = self.unproject(FacePoint::within(Face::of_number(number), x, y));
+        ((direction.z(), direction.cos_lat()), direction.lon())
     }
 
     /// Does a task with the projection itself: one that stands for another hands that on, so that a loop chooses once.
@@ -173,9 +213,9 @@ macro_rules! projections {
                 }
             }
 
-            fn face<T: Real>(&self, direction: Direction<T>) -> Face {
+            fn is_polar<T: Real>(&self, direction: Direction<T>) -> bool {
                 match self {
-                    $(Self::$variant => $module::$variant.face(direction),)*
+                    $(Self::$variant => $module::$variant.is_polar(direction),)*
                 }
             }
         }
@@ -231,6 +271,12 @@ impl FromStr for Projection {
             .find(|p| p.name() == name)
             .ok_or(UnknownProjection)
     }
+}
+
+/// Coordinates that rounding has not led off the face.
+#[inline(always)]
+pub(crate) fn on_face<T: Real>(coordinates: [T; 2]) -> [T; 2] {
+    coordinates.map(|v| max(min(v, T::ONE), -T::ONE))
 }
 
 /// The unit vector of gnomonic coordinates (u, v): one square root, one division.

@@ -1,15 +1,16 @@
 use super::{CubeProjection, Face};
 use crate::Real;
-use crate::math::{QUAD_M, QUAD_T, exchange, max, min, odd_unit, select};
+use crate::math::{QUAD_M, QUAD_S, QUAD_T, max, min, odd_unit, select};
 
 /// The quadrilateralized cube, QSC: equal-area, with creases along the diagonals.
 ///
 /// O'Neill & Laubscher (1976), after Chan & O'Neill (1975); the same map as Snyder's cube and as Roşca & Plonka's.
 /// Dimitrijević, Lambers & Rančić (2016) §4.5.
 ///
-/// With t = min/max of the gnomonic coordinates, q = √(2 + t²) and ρ = √(1 + u² + v²) the longer coordinate is
-/// x = u·√(q(q + 1)/(ρ(ρ + 1))), the shorter x·m(t), with m one odd function of one variable.
-/// Nothing cancels anywhere, and on an edge ρ = q.
+/// With (X, Y) the longer and the shorter of a unit vector's right and up, and Q = √(2X² + Y²), the longer coordinate is
+/// √(Q(Q + X)/(1 + Z)), and the shorter is less by the factor 12/π·asin(Y/(√2(Q + X))).
+/// Back, s = 1/√(2 + (Y/X)²), the outward component on the edge, and Y/X are functions of one variable.
+/// Nothing cancels anywhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Quadrilateralized;
@@ -17,33 +18,43 @@ pub struct Quadrilateralized;
 impl CubeProjection for Quadrilateralized {
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
-        // Of equals the first is the larger one, as in the exchange below: a derivative tells them apart.
+        // Of equals right is the larger one, as in the choice below: a derivative tells them apart.
         let (major, minor) = (max(up.abs(), right.abs()), min(right.abs(), up.abs()));
-        let t = minor / select(major == T::ZERO, T::ONE, major);
-        let u = major / outward;
-        let tt = T::ONE + t * t;
-        let q = (T::ONE + tt).sqrt();
-        let rho = (T::ONE + u * u * tt).sqrt();
-        // The quotient less 1, which is 0 on the edge: its rounding does not reach a coordinate near 1.
-        let sum = q + rho;
-        let excess = tt * (T::ONE - u * u) * (sum + T::ONE) / (sum * rho * (rho + T::ONE));
-        let long = u * (T::ONE + excess).sqrt();
-        let short = long * odd_unit(t, &QUAD_M);
-        let [x, y] = exchange(up.abs() > right.abs(), [long, short]);
+        // Squares of numbers below 1e-154 (1e-19 in f32) vanish: so near the centre is the centre.
+        let square = major * major;
+        let q = (square + square + minor * minor).sqrt();
+        let sum = q + major;
+        // The vector's length, which is 1 but for rounding.
+        let half = T::of(0.5);
+        let length = half + half * (right * right + up * up + outward * outward);
+        let long = (q * sum * (T::ONE / (length * (length + outward)))).sqrt();
+        // Edges and diagonals stay what they are.
+        let long = select(major == outward, T::ONE + (long - T::ONE).vanish(), long);
+        let w = minor * T::of(2.732_050_807_568_877) / max(sum, T::pick(1e-300, 1e-37));
+        let w = select(minor == major, T::ONE + (w - T::ONE).vanish(), w);
+        let short = long * odd_unit(w, &QUAD_M);
+        // Each comparison chooses once: for two selects by one a processor without blends takes a branch.
+        let x = select(up.abs() > right.abs(), short, long);
+        let y = select(up.abs() == minor, short, long);
         [x.copysign(right), y.copysign(up)]
     }
 
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
         let (long, short) = (max(y.abs(), x.abs()), min(x.abs(), y.abs()));
-        let t = odd_unit(short / select(long == T::ZERO, T::ONE, long), &QUAD_T);
+        let m = short / select(long == T::ZERO, T::ONE, long);
+        let t = odd_unit(m, &QUAD_T);
         // s is the outward component on the edge; w leaves 0 there, so that outward and major agree to the last bit.
-        let s = T::ONE / (T::of(2.0) + t * t).sqrt();
+        let mm = m * m;
+        // 1/√3 and what its rounding lost, to be exact in the corner.
+        let s = T::of(0.5773502691896257)
+            + ((T::ONE - mm) * mm.polynomial(&QUAD_S) + T::pick(3.345028074e-17, 1.03624163e-08));
         let w = (T::ONE - long * long) * (T::ONE - s);
         let outward = s + w;
-        let major = long * s * (T::ONE + w / (T::ONE + s)).sqrt();
+        let major = long * (s * (T::ONE + w / (T::ONE + s)).sqrt());
         let minor = t * major;
-        let [right, up] = exchange(y.abs() > x.abs(), [major, minor]);
+        let right = select(y.abs() > x.abs(), minor, major);
+        let up = select(y.abs() == short, minor, major);
         [right.copysign(x), up.copysign(y), outward]
     }
 }

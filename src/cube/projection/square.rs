@@ -1,6 +1,6 @@
 use super::{CubeProjection, Face, normalise};
 use crate::Real;
-use crate::math::repeat;
+use crate::math::{Polynomial, repeat};
 
 /// The square cube: texels as square as Outerra's, aspect ratio 1.013, whose width times height varies by 1.89 instead of 3.09.
 ///
@@ -14,7 +14,7 @@ const Z20: f64 = -0.047_355_554_762_899_11;
 const Z21: f64 = 0.125_761_176_467_546_37;
 
 /// Coefficients of 1 − u² and 1 − v² in a first guess at x/u, fitted for the least largest error.
-const START: [f64; 5] = [0.131_059, -0.025_651, -0.302_118, 0.126_894, 0.268_585];
+const START: Polynomial<5, 5> = Polynomial::rounded([0.131_059, -0.025_651, -0.302_118, 0.126_894, 0.268_585]);
 
 /// A, A with x and y exchanged, and Z, at p = 1 − x², q = 1 − y².
 #[inline(always)]
@@ -36,7 +36,7 @@ impl CubeProjection for Square {
         let (two, four) = (T::of(2.0), T::of(4.0));
         let (pu, pv) = (T::ONE - u * u, T::ONE - v * v);
         // Within 2.1e-3; the error after one, two, three steps of Newton's method is at most 2e-6, 2e-12, 4e-16.
-        let [c00, c10, c01, c11, c02] = START.map(T::of);
+        let [c00, c10, c01, c11, c02] = T::all(&START);
         let start = |w: T, p: T, q: T| w * (T::ONE + p * (c00 + c10 * p + q * (c01 + c11 * p + c02 * q)));
         let (mut x, mut y) = (start(u, pu, pv), start(v, pv, pu));
         repeat!(T::steps(3, 2), {
@@ -51,9 +51,9 @@ impl CubeProjection for Square {
             let hx = four * x * y * (b02 * q * xx - z20 * p) - v * zx;
             let hy = b - two * b02 * yy * (xx * xx) - v * zy;
             let (g, h) = (x * a - u * z, y * b - v * z);
-            let determinant = gx * hy - gy * hx;
-            x -= (g * hy - h * gy) / determinant;
-            y -= (h * gx - g * hx) / determinant;
+            let inverse = T::ONE / (gx * hy - gy * hx);
+            x -= (g * hy - h * gy) * inverse;
+            y -= (h * gx - g * hx) * inverse;
         });
         [x, y]
     }

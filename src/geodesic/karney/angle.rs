@@ -1,6 +1,6 @@
 use crate::Real;
 use crate::geodesic::degrees::hypot;
-use crate::math::{atan2, atan2_degrees, sin_cos, sin_cos_degrees};
+use crate::math::{atan2, atan2_degrees, select, sin_cos, sin_cos_degrees};
 
 /// An angle by its sine and cosine.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,13 +11,15 @@ pub struct Angle<T> {
 }
 
 impl<T: Real> Angle<T> {
-    /// The angle of the point (cos, sin), of any length but 0.
+    /// The angle of the point (cos, sin), of any length; 0 of the origin, where places are so near that products underflow.
     #[inline]
     pub fn of(sin: T, cos: T) -> Self {
         let length = hypot(sin, cos);
+        let origin = length == T::ZERO;
+        let divisor = select(origin, T::ONE, length);
         Self {
-            sin: sin / length,
-            cos: cos / length,
+            sin: sin / divisor,
+            cos: select(origin, T::ONE, cos / divisor),
         }
     }
 

@@ -134,7 +134,10 @@ impl<T: Real> Canonical<T> {
             return arc;
         }
         let f = karney.ellipsoid.f();
-        let equatorial = self.beta1.sin == T::ZERO;
+        // Between opposite places next to the equator of a prolate ellipsoid the azimuth turns within its rounding, and Newton's method
+        // is lost: these are taken for places on it, which moves them by far less than the distance rounds.
+        let beside = (f < T::ZERO) & (self.lambda > T::ONE) & (self.beta1.sin >= T::pick(-1e-17, -1e-10));
+        let equatorial = self.beta1.sin == T::ZERO || beside;
         if equatorial && (f <= T::ZERO || self.supplement >= f * T::of(180.0)) {
             return self.equatorial(karney);
         }

@@ -181,7 +181,8 @@ impl<T: Real> Line<T> {
         let omega12 = omega2.minus(self.omega1).to_radians();
         let lambda12 = omega12 + (self.a3 * arc + (series.sines(&self.c3, sigma2) - self.b31));
         let degree = T::of(180.0 / PI);
-        let lon2 = wrapped(self.lon1 + wrapped(lambda12 * degree));
+        // Of very many circuits the flattening alone makes a circle and more.
+        let lon2 = wrapped(self.lon1 + wrapped((lambda12 * degree).remainder(T::of(360.0))));
         let lat2 = crate::math::atan2_degrees(sin_beta2, karney.axes * cos_beta2);
         let b1 = (T::ONE + self.a1) * (series.sines(&self.c1, sigma2) - self.b11);
         let b2 = (T::ONE + self.a2) * (series.sines(&self.c2, sigma2) - self.b21);

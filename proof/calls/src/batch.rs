@@ -1,0 +1,214 @@
+use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
+use terrella::cube::{CubeMap, Face, Projection};
+use terrella::geodesic::{Karney, Straight, Vincenty};
+use terrella::latitude::Conversion;
+use terrella::{Ellipsoid, Latitude, Shift, Shifted};
+
+use crate::{Arguments, Bits, Function, Hash, POINTS, Scalar, Visitor};
+
+/// How often a batch is called.
+const CALLS: usize = 2;
+
+/// Columns of numbers.
+type Columns<T, const N: usize> = [[T; POINTS]; N];
+
+pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
+    positions::<T, V>(visitor);
+    latitudes::<T, V>(visitor);
+    cubes::<T, V>(visitor);
+    let earth = Ellipsoid::<T>::wgs84();
+    if let (Ok(karney), Ok(vincenty)) = (Karney::new(earth), Vincenty::new(earth)) {
+        geodesics(visitor, &karney, "karney");
+        geodesics(visitor, &vincenty, "vincenty");
+    }
+}
+
+fn function(name: &'static str, of: &'static str) -> Function {
+    Function::of(name, of).calls(CALLS)
+}
+
+/// Numbers in [−1, 1) times what each column is to be in.
+fn columns<T: Scalar, const N: usize>(arguments: &mut Arguments, units: [T; N]) -> Columns<T, N> {
+    units.map(|unit| [(); POINTS].map(|()| arguments.unit::<T>() * unit))
+}
+
+fn places<T: Scalar>(arguments: &mut Arguments) -> Columns<T, 2> {
+    columns(arguments, [T::of(90.0), T::of(180.0)])
+}
+
+/// Unit vectors one time, and vectors of any length the other.
+fn vectors<T: Scalar>(arguments: &mut Arguments) -> Columns<T, 3> {
+    let unit = arguments.below(2) == 0;
+    let mut columns = [[T::ZERO; POINTS]; 3];
+    let [x, y, z] = &mut columns;
+    for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+        let vector = arguments.direction::<T>().to_array();
+        let length = if unit { T::ONE } else { T::of(3.0) };
+        [*x, *y, *z] = vector.map(|part| part * length);
+    }
+    columns
+}
+
+fn face_points<T: Scalar>(arguments: &mut Arguments) -> ([Face; POINTS], Columns<T, 2>) {
+    let faces = [(); POINTS].map(|()| arguments.face());
+    (faces, columns(arguments, [T::ONE; 2]))
+}
+
+fn lent<T, const N: usize>(columns: &Columns<T, N>) -> [&[T]; N] {
+    columns.each_ref().map(<[T; POINTS]>::as_slice)
+}
+
+/// The results of a batch, and whether it was refused.
+fn into<T: Scalar, E: Bits, const N: usize>(
+    batch: impl FnOnce([&mut [T]; N]) -> Result<(), E>,
+) -> (Columns<T, N>, Result<(), E>) {
+    let mut columns = [[T::ZERO; POINTS]; N];
+    let outcome = batch(columns.each_mut().map(<[T; POINTS]>::as_mut_slice));
+    (columns, outcome)
+}
+
+fn positions<T: Scalar, V: Visitor>(visitor: &mut V) {
+    visitor.visit::<T, _, _>(function("batch::position::to_direction", ""), places::<T>, |places| {
+        into(|directions| batch::position::to_direction(lent(&places), directions))
+    });
+    visitor.visit::<T, _, _>(function("batch::position::to_lat_lon", ""), vectors::<T>, |vectors| {
+        into(|places| batch::position::to_lat_lon(lent(&vectors), places))
+    });
+    let earth = Ellipsoid::wgs84();
+    let geodetics = |arguments: &mut Arguments| columns(arguments, [T::of(90.0), T::of(180.0), T::of(1e5)]);
+    visitor.visit::<T, _, _>(function("batch::ellipsoid::to_ecef", ""), geodetics, |places| {
+        into(|points| batch::ellipsoid::to_ecef(earth, lent(&places), points))
+    });
+    let points = |arguments: &mut Arguments| columns(arguments, [T::of(6.5e6); 3]);
+    visitor.visit::<T, _, _>(function("batch::ellipsoid::to_geodetic", ""), points, |points| {
+        into(|places| batch::ellipsoid::to_geodetic(earth, lent(&points), places))
+    });
+    let refused = |arguments: &mut Arguments| {
+        let [mut lat, lon] = places::<T>(arguments);
+        if let Some(slot) = lat.get_mut(arguments.below(POINTS as u64) as usize) {
+            *slot = T::of(90.5);
+        }
+        [lat, lon]
+    };
+    visitor.visit::<T, _, _>(
+        function("batch::position::to_direction", "refused"),
+        refused,
+        |[lat, lon]| {
+            let short = lon.get(1..).unwrap_or_default();
+            (
+                into(|directions| batch::position::to_direction([&lat, &lon], directions)),
+                into(|directions| batch::position::to_direction([&lat, short], directions)),
+            )
+        },
+    );
+}
+
+fn latitudes<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let earth = Ellipsoid::wgs84();
+    for &shift in Shift::ALL {
+        let Ok(shifted) = Shifted::new(earth, shift) else {
+            continue;
+        };
+        let name = Shift::name(shift);
+        visitor.visit::<T, _, _>(function("batch::latitude::to_direction", name), places::<T>, |places| {
+            into(|directions| batch::latitude::to_direction(&shifted, lent(&places), directions))
+        });
+        visitor.visit::<T, _, _>(function("batch::latitude::to_lat_lon", name), vectors::<T>, |vectors| {
+            into(|places| batch::latitude::to_lat_lon(&shifted, lent(&vectors), places))
+        });
+    }
+    for &latitude in Latitude::ALL {
+        let name = Latitude::name(latitude);
+        let (Ok(there), Ok(back)) = (
+            Conversion::new(earth, Latitude::Parametric, latitude),
+            Conversion::new(earth, latitude, Latitude::Parametric),
+        ) else {
+            continue;
+        };
+        let degrees = |arguments: &mut Arguments| columns(arguments, [T::of(90.0)]);
+        visitor.visit::<T, _, _>(function("batch::latitude::degrees", name), degrees, |[values]| {
+            (
+                into(|[results]| batch::latitude::degrees(&there, &values, results)),
+                into(|[results]| batch::latitude::degrees(&back, &values, results)),
+            )
+        });
+        let radians = |arguments: &mut Arguments| columns(arguments, [T::of(1.5)]);
+        visitor.visit::<T, _, _>(function("batch::latitude::radians", name), radians, |[values]| {
+            (
+                into(|[results]| batch::latitude::radians(&there, &values, results)),
+                into(|[results]| batch::latitude::radians(&back, &values, results)),
+            )
+        });
+    }
+}
+
+fn cubes<T: Scalar, V: Visitor>(visitor: &mut V) {
+    for &projection in Projection::ALL {
+        let name = Projection::name(projection);
+        visitor.visit::<T, _, _>(function("batch::cube::project", name), vectors::<T>, |vectors| {
+            let mut faces = [Face::Front; POINTS];
+            let points = into(|points| batch::cube::project(projection, lent(&vectors), &mut faces, points));
+            (faces, points)
+        });
+        visitor.visit::<T, _, _>(
+            function("batch::cube::unproject", name),
+            face_points::<T>,
+            |(faces, points)| into(|vectors| batch::cube::unproject(projection, &faces, lent(&points), vectors)),
+        );
+        let Ok(map) = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection) else {
+            continue;
+        };
+        visitor.visit::<T, _, _>(function("batch::map::project", name), places::<T>, |places| {
+            let mut faces = [Face::Front; POINTS];
+            let points = into(|points| batch::map::project(&map, lent(&places), &mut faces, points));
+            (faces, points)
+        });
+        visitor.visit::<T, _, _>(
+            function("batch::map::unproject", name),
+            face_points::<T>,
+            |(faces, points)| into(|places| batch::map::unproject(&map, &faces, lent(&points), places)),
+        );
+    }
+}
+
+fn geodesics<T: Scalar, V: Visitor, M: Straight<T>>(visitor: &mut V, method: &M, name: &'static str) {
+    let pairs = |arguments: &mut Arguments| [places::<T>(arguments), places(arguments)];
+    visitor.visit::<T, _, _>(function("batch::geodesic::inverse", name), pairs, |[from, to]| {
+        into(|lines| batch::geodesic::inverse(method, lent(&from), lent(&to), lines))
+    });
+    let starts = |arguments: &mut Arguments| columns(arguments, [T::of(90.0), T::of(180.0), T::of(180.0), T::of(2e7)]);
+    visitor.visit::<T, _, _>(
+        function("batch::geodesic::direct", name),
+        starts,
+        |[lat, lon, azimuth, distance]| {
+            into(|ends| batch::geodesic::direct(method, [&lat, &lon], &azimuth, &distance, ends))
+        },
+    );
+}
+
+impl<E: Bits> Bits for InvalidBatch<E> {
+    fn add_to(&self, hash: &mut Hash) {
+        match self {
+            Self::Lengths { first, other } => (*first, *other).add_to(hash),
+            Self::Element { index, why } => (*index, why).add_to(hash),
+        }
+    }
+}
+
+impl<T: Scalar> Bits for InvalidGeodetic<T> {
+    fn add_to(&self, hash: &mut Hash) {
+        match self {
+            Self::LatLon(why) => why.add_to(hash),
+            Self::Height(why) => why.add_to(hash),
+        }
+    }
+}
+
+impl<T: Scalar> Bits for InvalidProblem<T> {
+    fn add_to(&self, hash: &mut Hash) {
+        match self {
+            Self::LatLon(why) => why.add_to(hash),
+            Self::Geodesic(why) => why.add_to(hash),
+        }
+    }
+}

@@ -1,0 +1,155 @@
+use core::marker::PhantomData;
+
+use terrella::cube::{
+    Corner, CubeMap, CubeProjection, Edge, Face, FacePoint, Numbering, Projection, ProjectionTask, QuadCube,
+};
+use terrella::{Dual, Ellipsoid, Shift};
+
+use crate::{Arguments, Function, Scalar, Visitor};
+
+pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
+    faces::<T, V>(visitor);
+    for &projection in Projection::ALL {
+        CubeProjection::with(projection, One::<T, V>::new(visitor, Projection::name(projection)));
+        derivatives::<T, V>(visitor, projection);
+    }
+    One::<T, V>::new(visitor, "quad-cube").run(QuadCube::COBE);
+    maps::<T, V>(visitor);
+}
+
+/// One projection, by its own type.
+struct One<'a, T, V> {
+    visitor: &'a mut V,
+    name: &'static str,
+    scalar: PhantomData<T>,
+}
+
+impl<'a, T, V> One<'a, T, V> {
+    fn new(visitor: &'a mut V, name: &'static str) -> Self {
+        Self {
+            visitor,
+            name,
+            scalar: PhantomData,
+        }
+    }
+}
+
+impl<T: Scalar, V: Visitor> ProjectionTask for One<'_, T, V> {
+    type Output = ();
+
+    fn run<P: CubeProjection>(self, projection: P) {
+        let Self { visitor, name, .. } = self;
+        let name = |function| Function::of(function, name);
+        visitor.visit::<T, _, _>(
+            name("CubeProjection::project"),
+            Arguments::direction::<T>,
+            |direction| CubeProjection::project(&projection, direction),
+        );
+        visitor.visit::<T, _, _>(name("CubeProjection::unproject"), Arguments::face_point::<T>, |point| {
+            CubeProjection::unproject(&projection, point)
+        });
+    }
+}
+
+/// The projection chosen at run time, with derivatives.
+fn derivatives<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
+    let name = |function| Function::of(function, Projection::name(projection));
+    visitor.visit::<T, _, _>(
+        name("CubeProjection::forward"),
+        Arguments::direction::<T>,
+        |direction| {
+            let face = CubeProjection::face(&projection, direction);
+            let local = Face::to_local(face, direction.to_array());
+            (face, CubeProjection::forward(&projection, face, Dual::variables(local)))
+        },
+    );
+    visitor.visit::<T, _, _>(name("CubeProjection::inverse"), Arguments::face_point::<T>, |point| {
+        let place = Dual::variables([point.x(), point.y()]);
+        CubeProjection::inverse(&projection, point.face(), place)
+    });
+}
+
+fn maps<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let shifts = [
+        Shift::Geodetic,
+        Shift::Geocentric,
+        Shift::Parametric,
+        Shift::Authalic,
+        Shift::Conformal,
+        Shift::Rectifying,
+    ];
+    for (&projection, &shift) in Projection::ALL.iter().zip(shifts.iter().cycle()) {
+        let Ok(map) = CubeMap::new(Ellipsoid::wgs84(), shift, projection) else {
+            continue;
+        };
+        let name = |function| Function::of(function, Projection::name(projection));
+        visitor.visit::<T, _, _>(name("CubeMap::project"), Arguments::place::<T>, |place| {
+            CubeMap::project(&map, place)
+        });
+        visitor.visit::<T, _, _>(name("CubeMap::unproject"), Arguments::face_point::<T>, |point| {
+            CubeMap::unproject(&map, point)
+        });
+    }
+    visitor.function::<T, _, _>("CubeMap::new", Arguments::ellipsoid::<T>, |ellipsoid| {
+        let map = CubeMap::new(ellipsoid, Shift::Authalic, Projection::Vertex);
+        map.map(|map| {
+            let name = Projection::name(CubeMap::projection(&map));
+            (CubeMap::shifted(&map).ellipsoid(), name)
+        })
+    });
+    let any_name = |arguments: &mut Arguments| {
+        let index = arguments.below(17) as usize;
+        Projection::ALL
+            .get(index)
+            .map_or("nothing", |projection| projection.name())
+    };
+    visitor.function::<T, _, _>("Projection, by name", any_name, |name| {
+        name.parse().map(Projection::name).ok()
+    });
+}
+
+fn faces<T: Scalar, V: Visitor>(visitor: &mut V) {
+    visitor.function::<T, _, _>("Face::containing", Arguments::direction::<T>, |direction| {
+        let face = Face::containing(direction);
+        let local = Face::to_local(face, direction.to_array());
+        (
+            face,
+            local,
+            Face::to_earth(face, local),
+            Face::is_polar(face),
+            Face::index(face),
+        )
+    });
+    visitor.function::<T, _, _>(
+        "Face::neighbour",
+        |arguments| (arguments.face(), arguments.below(4) as usize),
+        |(face, index)| {
+            let edge = Edge::ALL.get(index).copied().unwrap_or(Edge::Up);
+            let corner = Corner::ALL.get(index).copied().unwrap_or(Corner::UpLeft);
+            let index = index as u8;
+            (
+                Face::neighbour(face, edge),
+                Face::corner(face, corner),
+                Corner::edges(corner),
+                Face::from_index(index * 2),
+            )
+        },
+    );
+    visitor.function::<T, _, _>("FacePoint::new", Arguments::units::<T, 2>, |[x, y]| {
+        let twice = T::of(2.0);
+        FacePoint::new(Face::Back, x * twice, y * twice)
+    });
+    for (numbering, name) in [
+        (Numbering::S2, "S2"),
+        (Numbering::OpenGl, "OpenGL"),
+        (Numbering::Fits, "FITS"),
+    ] {
+        visitor.visit::<T, _, _>(Function::of("Numbering", name), Arguments::face_point::<T>, |point| {
+            let number = Numbering::number(numbering, point.face());
+            let (_, x, y) = Numbering::to_point(numbering, point);
+            let there = Numbering::to_point(numbering, point);
+            let back = Numbering::from_point(numbering, number, x + x, y);
+            (number, Numbering::face(numbering, number + 1), there, back)
+        });
+    }
+}

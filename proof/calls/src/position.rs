@@ -1,0 +1,80 @@
+use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, NAMED};
+
+use crate::{Arguments, Function, Scalar, Visitor};
+
+pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let two = Arguments::units::<T, 2>;
+    let three = Arguments::units::<T, 3>;
+    visitor.function::<T, _, _>("LatLon::new", two, |[lat, lon]| {
+        LatLon::new(lat * T::of(100.0), lon * T::of(1000.0))
+    });
+    visitor.function::<T, _, _>("LatLon::to_direction", Arguments::place::<T>, LatLon::to_direction);
+    visitor.function::<T, _, _>("Direction::new", three, |[x, y, z]| Direction::new(x, y, z));
+    visitor.function::<T, _, _>(
+        "Direction::to_lat_lon",
+        Arguments::direction::<T>,
+        Direction::to_lat_lon,
+    );
+    visitor.function::<T, _, _>(
+        "Geodetic::new",
+        |arguments| (arguments.place::<T>(), arguments.unit()),
+        |(place, height)| (Geodetic::new(place, T::ONE / height), Geodetic::from(place)),
+    );
+    visitor.function::<T, _, _>("Ecef::new", three, |[x, y, z]| Ecef::new(x, y, T::ONE / z));
+    ellipsoids::<T, V>(visitor);
+}
+
+fn ellipsoids<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let two = Arguments::units::<T, 2>;
+    visitor.function::<T, _, _>("Ellipsoid::new", two, |[a, f]| {
+        (Ellipsoid::new(a * T::of(1e7), f * T::of(2.0)), Ellipsoid::sphere(a))
+    });
+    visitor.function::<T, _, _>("Ellipsoid, its radii", Arguments::ellipsoid::<T>, |e| {
+        let shape = [Ellipsoid::b(e), Ellipsoid::n(e), Ellipsoid::e2(e), Ellipsoid::ep2(e)];
+        let radii = [
+            Ellipsoid::mean_radius(e),
+            Ellipsoid::volumetric_radius(e),
+            Ellipsoid::authalic_radius(e),
+        ];
+        (shape, radii)
+    });
+    visitor.function::<T, _, _>(
+        "Ellipsoid::named",
+        |arguments| arguments.below(9) as usize,
+        |index| {
+            let name = NAMED.get(index).copied().unwrap_or("nothing");
+            let earths = [
+                Ellipsoid::<T>::wgs84(),
+                Ellipsoid::grs80(),
+                Ellipsoid::clarke1866(),
+                Ellipsoid::international1924(),
+                Ellipsoid::airy1830(),
+                Ellipsoid::bessel1841(),
+            ];
+            (
+                Ellipsoid::<T>::named(name),
+                earths,
+                [Ellipsoid::<T>::moon(), Ellipsoid::mars()],
+            )
+        },
+    );
+    let earth = Ellipsoid::wgs84();
+    let mars = Ellipsoid::mars();
+    visitor.function::<T, _, _>("Ellipsoid::to_ecef", Arguments::geodetic::<T>, |place| {
+        Ellipsoid::to_ecef(earth, place)
+    });
+    visitor.function::<T, _, _>("Ellipsoid::to_geodetic", Arguments::ecef::<T>, |point| {
+        Ellipsoid::to_geodetic(earth, point)
+    });
+    let deep = |arguments: &mut Arguments| loop {
+        let [x, y, z] = arguments.units().map(|part: T| part * T::of(6e4));
+        if let Ok(point) = Ecef::new(x, y, z) {
+            return point;
+        }
+    };
+    visitor.visit::<T, _, _>(
+        Function::of("Ellipsoid::to_geodetic", "near the centre"),
+        deep,
+        |point| Ellipsoid::to_geodetic(mars, point),
+    );
+}

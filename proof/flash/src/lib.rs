@@ -1,0 +1,172 @@
+//! A symbol for each function that `run` links alone: from arguments as the function takes them, or, for what says `from numbers`,
+//! from plain numbers through all constructors.
+
+#![no_std]
+
+use core::panic::PanicInfo;
+
+use terrella::cube::{self, CubeMap, CubeProjection, FacePoint};
+use terrella::distortion::{Ground, Jacobian, Singular};
+use terrella::geodesic::{
+    Andoyer, AndoyerSecond, Bowring, Direct, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Inverse, Karney,
+    Vincenty,
+};
+use terrella::latitude::UnsupportedFlattening;
+use terrella::{
+    Direction, Ecef, Ellipsoid, Enu, Geodetic, InvalidDirection, InvalidLatLon, LatLon, LocalFrame, Shift, math,
+};
+
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    loop {}
+}
+
+/// A function in both scalars, as the symbols `NAME_f64` and `NAME_f32`.
+macro_rules! functions {
+    ($($name:ident($($argument:ident: $type:ty),*) -> $result:ty $body:block)*) => {
+        mod f64 {
+            use super::*;
+            type T = f64;
+            $(
+                #[unsafe(export_name = concat!(stringify!($name), "_f64"))]
+                pub fn $name($($argument: $type),*) -> $result $body
+            )*
+        }
+        mod f32 {
+            use super::*;
+            type T = f32;
+            $(
+                #[unsafe(export_name = concat!(stringify!($name), "_f32"))]
+                pub fn $name($($argument: $type),*) -> $result $body
+            )*
+        }
+    };
+}
+
+macro_rules! projections {
+    ($($forward:ident $inverse:ident $both:ident $projection:ident;)*) => {
+        functions! {
+            $(
+                $forward(direction: &Direction<T>) -> FacePoint<T> {
+                    cube::$projection.project(*direction)
+                }
+                $inverse(point: &FacePoint<T>) -> Direction<T> {
+                    cube::$projection.unproject(*point)
+                }
+                $both(direction: &mut Direction<T>, point: &mut FacePoint<T>) -> () {
+                    let place = cube::$projection.project(*direction);
+                    *direction = cube::$projection.unproject(*point);
+                    *point = place;
+                }
+            )*
+        }
+    };
+}
+
+mod projections {
+    use super::*;
+    projections! {
+        tangential_forward tangential_inverse tangential_both Tangential;
+        adjusted_forward adjusted_inverse adjusted_both Adjusted;
+        outerra_forward outerra_inverse outerra_both Outerra;
+        cobe_forward cobe_inverse cobe_both Cobe;
+        cobe_exact_forward cobe_exact_inverse cobe_exact_both CobeExact;
+        quadrilateralized_forward quadrilateralized_inverse quadrilateralized_both Quadrilateralized;
+        cartesian_forward cartesian_inverse cartesian_both Cartesian;
+        healpix_forward healpix_inverse healpix_both Healpix;
+        s2_quadratic_forward s2_quadratic_inverse s2_quadratic_both S2Quadratic;
+        equi_edge_forward equi_edge_inverse equi_edge_both EquiEdge;
+        algebraic_forward algebraic_inverse algebraic_both Algebraic;
+        vertex_forward vertex_inverse vertex_both Vertex;
+        conformal_forward conformal_inverse conformal_both Conformal;
+        balanced_forward balanced_inverse balanced_both Balanced;
+        square_forward square_inverse square_both Square;
+        separable_forward separable_inverse separable_both Separable;
+    }
+}
+
+type Line<T> = Result<Inverse<T>, GeodesicError<T>>;
+type End<T> = Result<Direct<T>, GeodesicError<T>>;
+
+macro_rules! methods {
+    ($($inverse:ident $direct:ident $method:ident;)*) => {
+        functions! {
+            $(
+                $inverse(method: &$method<T>, from: &LatLon<T>, to: &LatLon<T>) -> Line<T> {
+                    method.inverse(*from, *to)
+                }
+                $direct(method: &$method<T>, from: &LatLon<T>, azimuth: T, distance: T) -> End<T> {
+                    method.direct(*from, azimuth, distance)
+                }
+            )*
+        }
+    };
+}
+
+mod methods {
+    use super::*;
+    methods! {
+        haversine_inverse haversine_direct Haversine;
+        great_circle_inverse great_circle_direct GreatCircle;
+        flat_inverse flat_direct Flat;
+        bowring_inverse bowring_direct Bowring;
+        andoyer_inverse andoyer_direct Andoyer;
+        andoyer_second_inverse andoyer_second_direct AndoyerSecond;
+        vincenty_inverse vincenty_direct Vincenty;
+        karney_inverse karney_direct Karney;
+    }
+}
+
+fn places<T: terrella::Real>([lat1, lon1, lat2, lon2]: [T; 4]) -> Option<[LatLon<T>; 2]> {
+    Some([LatLon::new(lat1, lon1).ok()?, LatLon::new(lat2, lon2).ok()?])
+}
+
+functions! {
+    sin_cos_degrees(x: T) -> (T, T) { math::sin_cos_degrees(x) }
+    atan2_degrees(y: T, x: T) -> T { math::atan2_degrees(y, x) }
+    lat_lon_new(lat: T, lon: T) -> Result<LatLon<T>, InvalidLatLon<T>> { LatLon::new(lat, lon) }
+    lat_lon_to_direction(place: &LatLon<T>) -> Direction<T> { place.to_direction() }
+    direction_new(v: &[T; 3]) -> Result<Direction<T>, InvalidDirection<T>> { Direction::new(v[0], v[1], v[2]) }
+    direction_to_lat_lon(direction: &Direction<T>) -> LatLon<T> { direction.to_lat_lon() }
+    to_ecef(ellipsoid: &Ellipsoid<T>, place: &Geodetic<T>) -> Ecef<T> { ellipsoid.to_ecef(*place) }
+    to_geodetic(ellipsoid: &Ellipsoid<T>, point: &Ecef<T>) -> Geodetic<T> { ellipsoid.to_geodetic(*point) }
+    great_circle_distance(sphere: &GreatCircle<T>, from: &LatLon<T>, to: &LatLon<T>) -> Option<T> {
+        Some(sphere.inverse(*from, *to).ok()?.distance)
+    }
+    great_circle_radians(sphere: &GreatCircle<T>, from: &[T; 2], to: &[T; 2]) -> T {
+        sphere.distance_radians(*from, *to)
+    }
+    great_circle_angle(from: &Direction<T>, to: &Direction<T>) -> T { GreatCircle::angle_radians(*from, *to) }
+    jacobian(ground: &Ground<T, cube::Quadrilateralized>, point: &FacePoint<T>) -> Result<Jacobian<T>, Singular<T>> {
+        ground.jacobian(*point)
+    }
+    great_circle_distance_from_numbers(radius: T, numbers: &[T; 4]) -> Option<T> {
+        let [from, to] = places(*numbers)?;
+        Some(GreatCircle::new(radius).ok()?.inverse(from, to).ok()?.distance)
+    }
+    vincenty_inverse_from_numbers(numbers: &[T; 4]) -> Option<Inverse<T>> {
+        let [from, to] = places(*numbers)?;
+        Vincenty::new(Ellipsoid::wgs84()).ok()?.inverse(from, to).ok()
+    }
+    karney_inverse_from_numbers(numbers: &[T; 4]) -> Option<Inverse<T>> {
+        let [from, to] = places(*numbers)?;
+        Karney::new(Ellipsoid::wgs84()).ok()?.inverse(from, to).ok()
+    }
+    karney_direct_from_numbers(lat: T, lon: T, azimuth: T, distance: T) -> Option<Direct<T>> {
+        let from = LatLon::new(lat, lon).ok()?;
+        Karney::new(Ellipsoid::wgs84()).ok()?.direct(from, azimuth, distance).ok()
+    }
+    map_project_from_numbers(lat: T, lon: T) -> Option<FacePoint<T>> {
+        let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, cube::Quadrilateralized).ok()?;
+        Some(map.project(LatLon::new(lat, lon).ok()?))
+    }
+    map_unproject(map: &CubeMap<T, cube::Quadrilateralized>, point: &FacePoint<T>) -> LatLon<T> { map.unproject(*point) }
+    map_new(ellipsoid: &Ellipsoid<T>, shift: Shift)
+        -> Result<CubeMap<T, cube::Quadrilateralized>, UnsupportedFlattening<T>> {
+        CubeMap::new(*ellipsoid, shift, cube::Quadrilateralized)
+    }
+    enu_from_numbers(from: &[T; 3], to: &[T; 3]) -> Option<Enu<T>> {
+        let place = |[lat, lon, height]: [T; 3]| Geodetic::new(LatLon::new(lat, lon).ok()?, height).ok();
+        Some(LocalFrame::new(Ellipsoid::wgs84(), place(*from)?).geodetic_to_enu(place(*to)?))
+    }
+}

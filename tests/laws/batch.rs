@@ -1,0 +1,388 @@
+//! Over slices: the same bits as one by one, for any length, with anything anywhere; or the same refusal, and nothing written.
+
+use core::fmt::Debug;
+
+use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
+use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint};
+use terrella::geodesic::{Karney, Straight, Vincenty};
+use terrella::latitude::Conversion;
+use terrella::{Direction, Ecef, Geodetic, LatLon, Latitude, Real, Shift, Shifted};
+
+use crate::bytes::Bytes;
+use crate::law::laws;
+use crate::scalar::{Scalar, same};
+
+laws! { positions latitudes points projections maps inverses directs }
+
+/// What stands where nothing was written.
+const MARK: f64 = 7.0;
+
+/// Compares a batch with one by one. A few elements are made of bytes, and come again and again in an order made of them too; a
+/// column may be of another length.
+fn compare<T: Scalar, E: Debug, const I: usize, const O: usize>(
+    bytes: &mut Bytes<'_>,
+    what: &str,
+    element: impl Fn(&mut Bytes<'_>) -> [T; I],
+    one: impl Fn([T; I]) -> Result<[T; O], E>,
+    batch: impl Fn([&[T]; I], [&mut [T]; O]) -> Result<(), InvalidBatch<E>>,
+) {
+    let length = usize::from(bytes.byte()) + usize::from(bytes.byte() % 46);
+    let unequal = bytes.byte();
+    let mut order = bytes.word();
+    let count = usize::from(bytes.byte() % 6) + 1;
+    let elements: Vec<[T; I]> = (0..count).map(|_| element(bytes)).collect();
+    let mut next = || {
+        order = order
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        elements[(order >> 33) as usize % count]
+    };
+    let rows: Vec<[T; I]> = (0..length).map(|_| next()).collect();
+
+    // One of eight batches has a column that is shorter or longer.
+    let by = usize::from(unequal / 8 % 3);
+    let other = if unequal.is_multiple_of(8) {
+        (length + 1).saturating_sub(by)
+    } else {
+        length
+    };
+    let odd = usize::from(unequal / 32) % (I + O);
+    let long = |column: usize| if column == odd { other } else { length };
+    let inputs: [Vec<T>; I] = core::array::from_fn(|column| {
+        let values = rows.iter().map(|row| row[column]).chain([T::ZERO]);
+        values.take(long(column)).collect()
+    });
+    let mut results: [Vec<T>; O] = core::array::from_fn(|column| vec![T::of(MARK); long(I + column)]);
+    let found = batch(
+        inputs.each_ref().map(|column| &column[..]),
+        results.each_mut().map(|column| &mut column[..]),
+    );
+
+    let first = inputs[0].len();
+    let lengths = inputs.iter().map(Vec::len).chain(results.iter().map(Vec::len));
+    let context = || format!("{what} {}: {length} of {elements:?}", T::NAME);
+    let expected = match lengths.into_iter().find(|&other| other != first) {
+        Some(other) => Err(InvalidBatch::Lengths { first, other }),
+        None => {
+            let results: Result<Vec<[T; O]>, _> = (rows.iter().enumerate())
+                .map(|(index, &row)| one(row).map_err(|why| InvalidBatch::Element { index, why }))
+                .collect();
+            results
+        }
+    };
+    match (expected, found) {
+        (Ok(expected), Ok(())) => {
+            for (index, row) in expected.iter().enumerate() {
+                for (column, &value) in row.iter().enumerate() {
+                    let result = results[column][index];
+                    assert!(
+                        same(value, result),
+                        "{}: {:?} at {index} is {row:?}, not {result:?} in column {column}",
+                        context(),
+                        rows[index]
+                    );
+                }
+            }
+        }
+        (Err(expected), Err(found)) => {
+            // In words, as a NaN is not itself.
+            assert_eq!(format!("{expected:?}"), format!("{found:?}"), "{}", context());
+            assert!(
+                results.iter().flatten().all(|&v| v == T::of(MARK)),
+                "{}: written",
+                context()
+            );
+        }
+        (expected, found) => panic!("{}: {:?} {found:?}", context(), expected.map(|_| ())),
+    }
+}
+
+/// A number of a column: in range, or one time in sixteen anything.
+fn entry<T: Scalar>(bytes: &mut Bytes<'_>, limit: f64) -> T {
+    if bytes.byte() % 16 == 15 {
+        bytes.anything()
+    } else {
+        bytes.within(limit)
+    }
+}
+
+fn place<T: Scalar>(bytes: &mut Bytes<'_>) -> [T; 2] {
+    [entry(bytes, 90.0), entry(bytes, 180.0)]
+}
+
+fn vector<T: Scalar>(bytes: &mut Bytes<'_>) -> [T; 3] {
+    match bytes.byte() % 8 {
+        0 => [bytes.anything(), bytes.anything(), bytes.anything()],
+        1 | 2 => [entry(bytes, 1.0), entry(bytes, 1.0), entry(bytes, 1.0)],
+        _ => bytes.direction().to_array(),
+    }
+}
+
+fn number<T: Real>(face: Face) -> T {
+    T::of(f64::from(face.index()))
+}
+
+fn face<T: Scalar>(number: T) -> Face {
+    Face::from_index(number.into() as u8).unwrap()
+}
+
+fn faces<T: Scalar>(numbers: &[T]) -> Vec<Face> {
+    numbers.iter().map(|&number| face(number)).collect()
+}
+
+/// x, y and the number of a face.
+fn point<T: Scalar>(bytes: &mut Bytes<'_>) -> [T; 3] {
+    [entry(bytes, 1.0), entry(bytes, 1.0), number(bytes.face())]
+}
+
+/// Faces in place of a column of numbers, which are written if they are.
+fn with_faces<T: Scalar, E>(column: &mut [T], work: impl FnOnce(&mut [Face]) -> Result<(), E>) -> Result<(), E> {
+    let mut faces = vec![Face::Left; column.len()];
+    let result = work(&mut faces);
+    if result.is_ok() {
+        for (slot, face) in column.iter_mut().zip(faces) {
+            *slot = number(face);
+        }
+    } else {
+        assert!(faces.iter().all(|&face| face == Face::Left), "faces are written");
+    }
+    result
+}
+
+/// An ellipsoid and a shift that holds for it.
+fn shifted<T: Scalar>(bytes: &mut Bytes<'_>) -> Shifted<T> {
+    let shift = bytes.choice(Shift::ALL);
+    let (least, most) = match shift {
+        Shift::Geodetic | Shift::Geocentric | Shift::Parametric => (-1.0, 0.5),
+        _ => (-1.0 / 9.0, 0.1),
+    };
+    Shifted::new(bytes.ellipsoid(least, most), shift).unwrap()
+}
+
+fn positions<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let shifted = shifted::<T>(bytes);
+    let plain = bytes.flag();
+    if bytes.flag() {
+        compare(
+            bytes,
+            "to_direction",
+            place,
+            |[lat, lon]| {
+                let place = LatLon::new(lat, lon)?;
+                Ok(if plain {
+                    place.to_direction()
+                } else {
+                    shifted.to_direction(place)
+                }
+                .to_array())
+            },
+            |from, to| {
+                if plain {
+                    batch::position::to_direction(from, to)
+                } else {
+                    batch::latitude::to_direction(&shifted, from, to)
+                }
+            },
+        );
+    } else {
+        compare(
+            bytes,
+            "to_lat_lon",
+            vector,
+            |[x, y, z]| {
+                let direction = Direction::new(x, y, z)?;
+                let place = if plain {
+                    direction.to_lat_lon()
+                } else {
+                    shifted.to_lat_lon(direction)
+                };
+                Ok([place.lat(), place.lon()])
+            },
+            |from, to| {
+                if plain {
+                    batch::position::to_lat_lon(from, to)
+                } else {
+                    batch::latitude::to_lat_lon(&shifted, from, to)
+                }
+            },
+        );
+    }
+}
+
+fn latitudes<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 9.0, 0.1);
+    let (from, to) = (bytes.choice(Latitude::ALL), bytes.choice(Latitude::ALL));
+    let conversion = Conversion::new(ellipsoid, from, to).unwrap();
+    let degrees = bytes.flag();
+    let limit = match (from, degrees) {
+        (Latitude::Isometric, _) => 40.0,
+        (_, true) => 90.0,
+        _ => core::f64::consts::FRAC_PI_2,
+    };
+    compare(
+        bytes,
+        "latitudes",
+        |bytes| [entry(bytes, limit)],
+        |[value]| {
+            let result = if degrees {
+                conversion.degrees(value)
+            } else {
+                conversion.radians(value)
+            };
+            result.map(|value| [value])
+        },
+        |[from], [to]| {
+            if degrees {
+                batch::latitude::degrees(&conversion, from, to)
+            } else {
+                batch::latitude::radians(&conversion, from, to)
+            }
+        },
+    );
+}
+
+fn points<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let ellipsoid = bytes.ellipsoid::<T>(-9.0, 0.9);
+    if bytes.flag() {
+        compare(
+            bytes,
+            "to_ecef",
+            |bytes| {
+                let [lat, lon] = place(bytes);
+                [lat, lon, entry(bytes, 1e6)]
+            },
+            |[lat, lon, height]| {
+                let place = LatLon::new(lat, lon).map_err(InvalidGeodetic::LatLon)?;
+                let place = Geodetic::new(place, height).map_err(InvalidGeodetic::Height)?;
+                Ok(ellipsoid.to_ecef(place).to_array())
+            },
+            |from, to| batch::ellipsoid::to_ecef(ellipsoid, from, to),
+        );
+    } else {
+        compare(
+            bytes,
+            "to_geodetic",
+            |bytes| {
+                let size = bytes.choice(&[1e5, 1e7, 1e8]);
+                [entry(bytes, size), entry(bytes, size), entry(bytes, size)]
+            },
+            |[x, y, z]| {
+                let place = ellipsoid.to_geodetic(Ecef::new(x, y, z)?);
+                Ok([place.lat(), place.lon(), place.height()])
+            },
+            |from, to| batch::ellipsoid::to_geodetic(ellipsoid, from, to),
+        );
+    }
+}
+
+fn projections<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let projection = bytes.projection();
+    if bytes.flag() {
+        compare(
+            bytes,
+            projection.name(),
+            vector::<T>,
+            |[x, y, z]| {
+                let point = projection.project(Direction::new(x, y, z)?);
+                Ok([number(point.face()), point.x(), point.y()])
+            },
+            |from, [face, x, y]| with_faces(face, |faces| batch::cube::project(projection, from, faces, [x, y])),
+        );
+    } else {
+        compare(
+            bytes,
+            projection.name(),
+            point::<T>,
+            |[x, y, number]| Ok(projection.unproject(FacePoint::new(face(number), x, y)?).to_array()),
+            |[x, y, numbers], to| batch::cube::unproject(projection, &faces(numbers), [x, y], to),
+        );
+    }
+}
+
+fn maps<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let projection = bytes.projection();
+    let shifted = shifted::<T>(bytes);
+    let map = CubeMap::new(shifted.ellipsoid(), shifted.shift(), projection).unwrap();
+    if bytes.flag() {
+        compare(
+            bytes,
+            projection.name(),
+            place::<T>,
+            |[lat, lon]| {
+                let point = map.project(LatLon::new(lat, lon)?);
+                Ok([number(point.face()), point.x(), point.y()])
+            },
+            |from, [face, x, y]| with_faces(face, |faces| batch::map::project(&map, from, faces, [x, y])),
+        );
+    } else {
+        compare(
+            bytes,
+            projection.name(),
+            point::<T>,
+            |[x, y, number]| {
+                let place = map.unproject(FacePoint::new(face(number), x, y)?);
+                Ok([place.lat(), place.lon()])
+            },
+            |[x, y, numbers], to| batch::map::unproject(&map, &faces(numbers), [x, y], to),
+        );
+    }
+}
+
+fn inverses<T: Scalar>(bytes: &mut Bytes<'_>) {
+    fn by<T: Scalar, M: Straight<T>>(bytes: &mut Bytes<'_>, method: &M) {
+        compare(
+            bytes,
+            "inverse",
+            |bytes| {
+                if bytes.byte() % 8 == 7 {
+                    let ([lat1, lon1], [lat2, lon2]) = (place(bytes), place(bytes));
+                    return [lat1, lon1, lat2, lon2];
+                }
+                let (from, to) = bytes.pair();
+                [from.lat(), from.lon(), to.lat(), to.lon()]
+            },
+            |[lat1, lon1, lat2, lon2]| {
+                let from = LatLon::new(lat1, lon1).map_err(InvalidProblem::LatLon)?;
+                let to = LatLon::new(lat2, lon2).map_err(InvalidProblem::LatLon)?;
+                let line = method.inverse(from, to).map_err(InvalidProblem::Geodesic)?;
+                Ok([line.distance, line.azimuth1, line.azimuth2])
+            },
+            |[lat1, lon1, lat2, lon2], lines| batch::geodesic::inverse(method, [lat1, lon1], [lat2, lon2], lines),
+        );
+    }
+    if bytes.flag() {
+        let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 60.0, 1.0 / 60.0);
+        by(bytes, &Vincenty::new(ellipsoid).unwrap());
+    } else {
+        let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 9.0, 0.1);
+        by(bytes, &Karney::new(ellipsoid).unwrap());
+    }
+}
+
+fn directs<T: Scalar>(bytes: &mut Bytes<'_>) {
+    fn by<T: Scalar, M: Straight<T>>(bytes: &mut Bytes<'_>, method: &M) {
+        compare(
+            bytes,
+            "direct",
+            |bytes| {
+                let [lat, lon] = place(bytes);
+                [lat, lon, entry(bytes, 400.0), entry(bytes, 4e8)]
+            },
+            |[lat, lon, azimuth, distance]| {
+                let from = LatLon::new(lat, lon).map_err(InvalidProblem::LatLon)?;
+                let end = method
+                    .direct(from, azimuth, distance)
+                    .map_err(InvalidProblem::Geodesic)?;
+                Ok([end.position.lat(), end.position.lon(), end.azimuth])
+            },
+            |[lat, lon, azimuth, distance], ends| batch::geodesic::direct(method, [lat, lon], azimuth, distance, ends),
+        );
+    }
+    if bytes.flag() {
+        let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 60.0, 1.0 / 60.0);
+        by(bytes, &Vincenty::new(ellipsoid).unwrap());
+    } else {
+        let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 9.0, 0.1);
+        by(bytes, &Karney::new(ellipsoid).unwrap());
+    }
+}

@@ -1,0 +1,547 @@
+//! Geodesics: GeographicLib's answers, the way there and back, and what swapping, mirroring and going round do.
+
+use geographiclib_rs::{DirectGeodesic, Geodesic as Theirs, InverseGeodesic, PolygonArea, Winding};
+use terrella::geodesic::{Area, Direct, Geodesic, GeodesicError, Inverse, Karney, Method};
+use terrella::{Ellipsoid, LatLon};
+
+use crate::bytes::Bytes;
+use crate::law::laws;
+use crate::scalar::{Scalar, same};
+use crate::table::claim;
+use crate::vector::length;
+
+laws! { inverse direct lengths area polygon methods_inverse methods_direct swapped_and_mirrored triangle }
+
+/// The flattenings that [`Karney`] takes.
+const FLATTENINGS: (f64, f64) = (-1.0 / 9.0, 0.1);
+
+fn reference<T: Scalar>(ellipsoid: Ellipsoid<T>) -> Theirs {
+    Theirs::new(ellipsoid.a().into(), ellipsoid.f().into())
+}
+
+/// GeographicLib's own error in metres, as its documentation says: its series are of order 6 for every flattening.
+fn theirs<T: Scalar>(ellipsoid: Ellipsoid<T>) -> f64 {
+    let table = [
+        (0.0034, 15e-9),
+        (0.01, 25e-9),
+        (0.02, 30e-9),
+        (0.05, 10e-6),
+        (0.1, 1.5e-3),
+        (0.2, 0.3),
+    ];
+    let f = ellipsoid.f().into().abs();
+    table.into_iter().find(|(limit, _)| f < limit + 1e-6).unwrap().1
+}
+
+/// Whether GeographicLib's answer is one. On ellipsoids that are all but spheres it is NaN between the poles, and between opposite places
+/// next to the equator, if prolate, up to 3 cm longer than the equator.
+fn known<T: Scalar>(answer: f64, ellipsoid: Ellipsoid<T>, (from, to): (LatLon<T>, LatLon<T>)) -> bool {
+    let beside = |place: LatLon<T>| place.lat().abs().into() < 1e-12;
+    let lost = ellipsoid.f() < T::ZERO && answer > 2e7 && beside(from) && beside(to);
+    !answer.is_nan() && !lost
+}
+
+fn coordinates<T: Scalar>(place: LatLon<T>) -> (f64, f64) {
+    (place.lat().into(), place.lon().into())
+}
+
+/// The distance in metres between two places that are nearly the same: straight through the ellipsoid.
+fn apart<T: Scalar>(ellipsoid: Ellipsoid<T>, found: LatLon<T>, expected: (f64, f64)) -> f64 {
+    let (a, f): (f64, f64) = (ellipsoid.a().into(), ellipsoid.f().into());
+    let point = |(lat, lon): (f64, f64)| {
+        let ((sin, cos), (sin_lon, cos_lon)) = (lat.to_radians().sin_cos(), lon.to_radians().sin_cos());
+        let radius = a / (1.0 - f * (2.0 - f) * sin * sin).sqrt();
+        [
+            radius * cos * cos_lon,
+            radius * cos * sin_lon,
+            radius * (1.0 - f).powi(2) * sin,
+        ]
+    };
+    let (one, other) = (point(coordinates(found)), point(expected));
+    length([one[0] - other[0], one[1] - other[1], one[2] - other[2]])
+}
+
+/// An error in metres claimed of Karney's method on the Earth and on other ellipsoids, in this scalar; what `f32` adds is in
+/// proportion to the distance.
+fn claimed<T: Scalar>(ellipsoid: Ellipsoid<T>, what: &str, elsewhere: &str, distance: f64) -> f64 {
+    let earth = (ellipsoid.f().into() - 1.0 / 298.257_223_563).abs() < 1e-9;
+    let claim = claim(if earth { what } else { elsewhere })[T::CLAIM];
+    // Of the flattenings without a claim twice as much is let pass.
+    let claim = if earth { claim } else { 2.0 * claim };
+    claim + if T::NAME == "f32" { 1.5e-7 * distance } else { 0.0 }
+}
+
+const ELSEWHERE: &str = "Karney for f = 1/10 and −1/150";
+
+/// Distance and azimuths are in range, and the line that they describe leads from one place to the other, either way round.
+fn leads<T: Scalar>(ellipsoid: Ellipsoid<T>, (from, to): (LatLon<T>, LatLon<T>), line: Inverse<T>, allowed: f64) {
+    let reference = reference(ellipsoid);
+    let [distance, azimuth1, azimuth2] = [line.distance, line.azimuth1, line.azimuth2].map(Into::<f64>::into);
+    assert!(
+        distance >= 0.0 && azimuth1.abs() <= 180.0 && azimuth2.abs() <= 180.0,
+        "{} {from:?} {to:?}: {line:?}",
+        T::NAME
+    );
+    let ((lat1, lon1), (lat2, lon2)) = (coordinates(from), coordinates(to));
+    let end: (f64, f64) = reference.direct(lat1, lon1, azimuth1, distance);
+    let start: (f64, f64) = reference.direct(lat2, lon2, azimuth2, -distance);
+    let (there, back) = (apart(ellipsoid, to, end), apart(ellipsoid, from, start));
+    assert!(
+        there <= allowed && back <= allowed,
+        "{} {from:?} {to:?}: {line:?} leads {there:e} and {back:e} off, {allowed:e} allowed",
+        T::NAME
+    );
+}
+
+/// Karney's inverse, both ways of it: GeographicLib's distance, and azimuths that lead there.
+fn inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let ellipsoid = bytes.ellipsoid::<T>(FLATTENINGS.0, FLATTENINGS.1);
+    let (from, to) = bytes.pair::<T>();
+    let karney = Karney::new(ellipsoid).unwrap();
+    let reference = reference(ellipsoid);
+    let ((lat1, lon1), (lat2, lon2)) = (coordinates(from), coordinates(to));
+    let expected: f64 = reference.inverse(lat1, lon1, lat2, lon2);
+    if !known(expected, ellipsoid, (from, to)) {
+        return;
+    }
+    let allowed = claimed(ellipsoid, "Karney inverse, distance", ELSEWHERE, expected);
+    let aside = claimed(ellipsoid, "Karney inverse, azimuth times length", ELSEWHERE, 0.0);
+    for line in [karney.solve(from, to).inverse, karney.inverse(from, to).unwrap()] {
+        let error = (line.distance.into() - expected).abs();
+        assert!(
+            error <= allowed + theirs(ellipsoid),
+            "{} {ellipsoid:?} {from:?} {to:?}: {line:?}, not {expected:?}: {error:e}",
+            T::NAME
+        );
+        leads(ellipsoid, (from, to), line, allowed + aside + 2.0 * theirs(ellipsoid));
+    }
+    if T::NAME == "f32" && expected < 1.5e5 && ellipsoid == Ellipsoid::wgs84() {
+        let error = (karney.inverse(from, to).unwrap().distance.into() - expected).abs() / expected.max(1.0);
+        let allowed = claim("Karney inverse to 150 km, relative to 1 m or more")[1];
+        assert!(error <= allowed, "{from:?} {to:?}: {error:e} of {expected:?}");
+    }
+}
+
+/// A distance to go: up to half a circle, several circuits, or any number.
+fn distance<T: Scalar>(bytes: &mut Bytes<'_>) -> T {
+    match bytes.byte() % 8 {
+        0..=4 => bytes.within(2e7),
+        5 | 6 => bytes.within(4e8),
+        _ => bytes.finite(),
+    }
+}
+
+fn azimuth<T: Scalar>(bytes: &mut Bytes<'_>) -> T {
+    if bytes.byte() % 8 == 7 {
+        bytes.finite()
+    } else {
+        bytes.within(360.0)
+    }
+}
+
+fn in_range<T: Scalar>(end: Direct<T>) -> bool {
+    end.position.lat().into().abs() <= 90.0
+        && end.position.lon().into().abs() <= 180.0
+        && end.azimuth.into().abs() <= 180.0
+}
+
+/// Karney's direct, both ways of it: GeographicLib's place, and back again. What is too long is refused with its length.
+fn direct<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let ellipsoid = bytes.ellipsoid::<T>(FLATTENINGS.0, FLATTENINGS.1);
+    let (from, azimuth, distance) = (bytes.place::<T>(), azimuth::<T>(bytes), distance::<T>(bytes));
+    let karney = Karney::new(ellipsoid).unwrap();
+    let reference = reference(ellipsoid);
+    let along = karney.line(from, azimuth).unwrap().at(distance);
+    let there = karney.direct(from, azimuth, distance);
+    let context = || {
+        format!(
+            "{} {ellipsoid:?} {from:?} {azimuth:?} {distance:?}: {there:?} {along:?}",
+            T::NAME
+        )
+    };
+    let (Ok(there), Ok(along)) = (there, along) else {
+        let limit = ellipsoid.b().into() * if T::NAME == "f32" { 90.0 } else { 9e4 };
+        let refusal = GeodesicError::Distance(distance);
+        assert!(
+            distance.into().abs() > limit && there == Err(refusal) && along.map(|_| ()) == Err(refusal),
+            "{}",
+            context()
+        );
+        return;
+    };
+    assert!(in_range(there), "{}", context());
+    let far = distance.into().abs();
+    if far > 4.1e8 {
+        return;
+    }
+    let (lat, lon) = coordinates(from);
+    // Theirs is reduced as ours is, exactly.
+    let turned = azimuth.into() % 360.0;
+    let expected: (f64, f64) = reference.direct(lat, lon, turned, distance.into());
+    let once = far <= 4.1e7;
+    let allowed = if once {
+        claimed(ellipsoid, "Karney direct, position", ELSEWHERE, far)
+    } else {
+        claimed(
+            ellipsoid,
+            "Karney direct, position after several circuits",
+            "Karney for f = 1/10 and −1/150, several circuits",
+            far,
+        )
+    };
+    let allowed = allowed + theirs(ellipsoid) * (2.0 + far / 1e7);
+    for position in [there.position, along.position] {
+        let error = apart(ellipsoid, position, expected);
+        assert!(error <= allowed, "{}, {error:e} from {expected:?}", context());
+    }
+    let back = karney.direct(there.position, there.azimuth, -distance).unwrap();
+    let error = apart(ellipsoid, from, coordinates(back.position));
+    // The azimuth there rounds too, and turns the way back.
+    assert!(error <= 3.0 * allowed, "{}, back at {back:?}, {error:e} off", context());
+}
+
+/// Reduced length and scales, where they are well-conditioned.
+fn lengths<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let ellipsoid = bytes.ellipsoid::<T>(FLATTENINGS.0, FLATTENINGS.1);
+    let (from, to) = bytes.pair::<T>();
+    let solution = Karney::new(ellipsoid).unwrap().solve(from, to);
+    let ((lat1, lon1), (lat2, lon2)) = (coordinates(from), coordinates(to));
+    let expected: (f64, f64, f64, f64, f64, f64, f64) = reference(ellipsoid).inverse(lat1, lon1, lat2, lon2);
+    let (s12, _, _, m12, scale12, scale21, a12) = expected;
+    if !known(s12, ellipsoid, (from, to)) || s12 > 1e6 && m12 < 0.1 * s12 {
+        return;
+    }
+    let context = || format!("{} {ellipsoid:?} {from:?} {to:?}: {solution:?} {expected:?}", T::NAME);
+    let allowed = claimed(ellipsoid, "Karney inverse, reduced length", ELSEWHERE, s12) + theirs(ellipsoid);
+    let error = (solution.reduced_length.into() - m12).abs();
+    assert!(error <= allowed, "{}: {error:e}", context());
+    let radians = allowed / ellipsoid.b().into().min(ellipsoid.a().into());
+    let arc = (solution.arc.into() - a12).abs().to_radians();
+    assert!(arc <= 2.0 * radians, "{}: {arc:e} rad", context());
+    for (found, expected) in [(solution.scale12, scale12), (solution.scale21, scale21)] {
+        // A scale is a derivative, and errs by some of them.
+        let error = (found.into() - expected).abs();
+        assert!(error <= 4.0 * radians, "{}: {error:e}", context());
+    }
+}
+
+/// The area under a line of the Earth, where it is well-conditioned.
+fn area<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let earth = Ellipsoid::<T>::wgs84();
+    let (from, to) = bytes.pair::<T>();
+    let found: f64 = Area::new(earth).unwrap().under(from, to).into();
+    let ((lat1, lon1), (lat2, lon2)) = (coordinates(from), coordinates(to));
+    let expected: (f64, f64, f64, f64, f64, f64, f64, f64) = reference(earth).inverse(lat1, lon1, lat2, lon2);
+    let (s12, _, _, m12, _, _, s, _) = expected;
+    if s12 > 1e6 && m12 < 0.1 * s12 {
+        return;
+    }
+    let claimed = if s12 < 1e6 {
+        claim("Karney area under a line of less than 1000 km")
+    } else {
+        claim("Karney area under a line")
+    };
+    // Theirs is as good.
+    let rounding = if T::NAME == "f32" { 5e-7 } else { 5e-16 } * s.abs();
+    let allowed = claimed[T::CLAIM] + claimed[0] + rounding;
+    let error = (found - s).abs();
+    // Over a pole there is as much of the hemisphere to the east as to the west.
+    let half = 0.5 * 510_065_621_724_088.44;
+    let error = if (lon2 - lon1).abs() == 180.0 {
+        error.min((error - half).abs())
+    } else {
+        error
+    };
+    assert!(
+        error <= allowed,
+        "{} {from:?} {to:?}: {found:?} {s:?}: {error:e}",
+        T::NAME
+    );
+}
+
+/// A polygon about a place, as GeographicLib has it.
+fn polygon<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let earth = Ellipsoid::<T>::wgs84();
+    let area = Area::new(earth).unwrap();
+    let mut ours = area.polygon();
+    let reference = reference(earth);
+    let mut theirs = PolygonArea::new(&reference, Winding::CounterClockwise);
+    let middle = bytes.place::<T>();
+    let mut corners = Vec::new();
+    for _ in 0..bytes.byte() % 8 {
+        let (north, east) = (bytes.within::<T>(20.0), bytes.within::<T>(40.0));
+        let right = T::of(90.0);
+        let lat = middle.lat() + north;
+        let lat = if lat.abs() > right { right.copysign(lat) } else { lat };
+        let corner = LatLon::new(lat, middle.lon() + east).unwrap();
+        corners.push(corner);
+        ours.add(corner);
+        theirs.add_point(corner.lat().into(), corner.lon().into());
+    }
+    let (perimeter, signed, _) = theirs.compute(true);
+    let (found, around): (f64, f64) = (ours.area().into(), ours.perimeter().into());
+    let [single_area, single_length] = if T::NAME == "f32" {
+        [4e7, 3.0 + 1.5e-7 * perimeter]
+    } else {
+        [0.0; 2]
+    };
+    let count = corners.len() as f64;
+    // A polygon of half the ellipsoid is of either sign.
+    let whole = 510_065_621_724_088.44;
+    let error = (found - signed).abs();
+    let error = error.min((error - whole).abs());
+    assert!(
+        error <= count * (0.2 + single_area) && (around - perimeter).abs() <= count * (3e-8 + single_length),
+        "{} {corners:?}: {found:?} {signed:?}, {around:?} {perimeter:?}",
+        T::NAME
+    );
+}
+
+/// What a method's documentation claims on the Earth up to some distance: of the distance, the azimuths times the reduced length,
+/// and the position of the direct problem, in metres, as constants and as parts of the distance.
+struct Claim {
+    upto: f64,
+    constant: [f64; 3],
+    part: [f64; 3],
+}
+
+const fn row(upto: f64, constant: [f64; 3]) -> Claim {
+    Claim {
+        upto,
+        constant,
+        part: [0.0; 3],
+    }
+}
+
+const ANDOYER: &[Claim] = &[
+    Claim {
+        upto: 5e6,
+        constant: [1e-8; 3],
+        part: [1.5e-6, 4e-6, 6e-6],
+    },
+    row(1e7, [15.0, 45.0, 40.0]),
+    row(1.5e7, [70.0, 200.0, 50.0]),
+    row(1.8e7, [280.0, 600.0, 40.0]),
+    row(1.9e7, [600.0, 1300.0, 40.0]),
+    row(2.01e7, [3.5e4, 2.2e5, 40.0]),
+];
+
+const ANDOYER_SECOND: &[Claim] = &[
+    Claim {
+        upto: 3e6,
+        constant: [5e-9, 5e-9, 6e-9],
+        part: [2e-9, 1e-9, 4e-9],
+    },
+    row(5e6, [0.02, 0.012, 0.015]),
+    row(1e7, [0.2, 0.15, 0.02]),
+    row(1.5e7, [2.0, 1.6, 0.03]),
+    row(1.8e7, [20.0, 15.0, 0.03]),
+    row(1.9e7, [80.0, 70.0, 0.03]),
+    row(2.01e7, [3.5e4, 2.2e5, 0.03]),
+];
+
+const BOWRING: &[Claim] = &[
+    row(1e3, [6e-9, 6.4e-9, 6e-9]),
+    row(1e4, [1e-6, 4e-7, 1e-6]),
+    row(1e5, [1.1e-3, 6e-4, 1.1e-3]),
+    row(1.5e5, [4e-3, 3e-3, 4e-3]),
+    row(1e6, [5.0, 6.0, 5.0]),
+];
+
+const FLAT: &[(f64, &[Claim])] = &[
+    (
+        30.0,
+        &[row(1e3, [1.4e-6; 3]), row(1e4, [1.4e-3; 3]), row(1e5, [1.4; 3])],
+    ),
+    (60.0, &[row(1e3, [6e-6; 3]), row(1e4, [6e-3; 3]), row(1e5, [6.0; 3])]),
+    (80.0, &[row(1e3, [6e-5; 3]), row(1e4, [6e-2; 3]), row(1e5, [60.0; 3])]),
+    (89.0, &[row(1e3, [6e-3; 3]), row(1e4, [6.0; 3]), row(1e5, [1.2e4; 3])]),
+];
+
+/// What a method claims of a line from a latitude on an ellipsoid: nothing beyond where its table ends.
+fn claim_of<T: Scalar>(method: Method, ellipsoid: Ellipsoid<T>, lat: f64, distance: f64) -> Option<[f64; 3]> {
+    let distance = distance.abs();
+    let f = ellipsoid.f().into().abs();
+    let earth = ellipsoid == Ellipsoid::wgs84();
+    let single = T::NAME == "f32";
+    let table: &[Claim] = match method {
+        Method::Vincenty => {
+            let claims = [
+                (0.0034, [2e-8, 1.5e-8, 2e-8], 7.0),
+                (1.0 / 149.9, [4e-7; 3], 7.0),
+                (1.0 / 59.9, [4e-5; 3], 8.0),
+            ];
+            let (_, double, metres) = claims.into_iter().find(|(limit, ..)| f <= *limit)?;
+            // Of a longer line the series' error grows with it.
+            let circuits = (distance / 2e7).max(1.0);
+            let rounding = if single { 1e-7 } else { 2e-16 } * distance;
+            let scaled = |claim: f64| if single { metres } else { claim } * circuits + rounding;
+            return Some(double.map(scaled));
+        }
+        Method::GreatCircle => {
+            let [length, azimuth, end, per] = if single {
+                [3.0e-7, 3.2e-7, 6.0e-7, 6e-8]
+            } else {
+                [5.0e-16, 6.0e-16, 1.1e-15, 1e-16]
+            };
+            let a = ellipsoid.a().into();
+            return Some([length * distance, azimuth * a, end * a + per * distance]);
+        }
+        Method::Andoyer if earth => ANDOYER,
+        Method::AndoyerSecond if earth => ANDOYER_SECOND,
+        Method::Bowring if earth => BOWRING,
+        Method::Flat if earth => FLAT.iter().find(|(limit, _)| lat.abs() <= *limit)?.1,
+        _ => return None,
+    };
+    let claim = table.iter().find(|claim| distance <= claim.upto)?;
+    let [length, position] = if single { [7e-7 * distance, 2.0] } else { [0.0; 2] };
+    let of = |i: usize| claim.constant[i] + claim.part[i] * distance + length;
+    Some([of(0), of(1), of(2) + position])
+}
+
+/// A method's ellipsoid: the sphere for those that know no other.
+fn method<T: Scalar>(bytes: &mut Bytes<'_>) -> (Method, Ellipsoid<T>) {
+    let method = bytes.choice(Method::ALL);
+    let spherical = matches!(method, Method::GreatCircle | Method::Haversine);
+    let sixtieth = 1.0 / 60.0;
+    let ellipsoid = bytes.ellipsoid(-sixtieth, sixtieth);
+    (
+        method,
+        if spherical {
+            Ellipsoid::sphere(T::of(6.4e6)).unwrap()
+        } else {
+            ellipsoid
+        },
+    )
+}
+
+/// Every method's distance and azimuths, as near to GeographicLib's as its documentation says.
+fn methods_inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let (method, ellipsoid) = method::<T>(bytes);
+    let (from, to) = bytes.pair::<T>();
+    let line = method.on(ellipsoid).unwrap().inverse(from, to).unwrap();
+    let [distance, azimuth1, azimuth2] = [line.distance, line.azimuth1, line.azimuth2].map(Into::<f64>::into);
+    let context = || format!("{method} {} {ellipsoid:?} {from:?} {to:?}: {line:?}", T::NAME);
+    // The plane's distances have no end.
+    let longest = if method == Method::Flat { f64::INFINITY } else { 2.1e7 };
+    assert!(
+        (0.0..=longest).contains(&distance) && azimuth1.abs() <= 180.0 && azimuth2.abs() <= 180.0,
+        "{}",
+        context()
+    );
+    let ((lat1, lon1), (lat2, lon2)) = (coordinates(from), coordinates(to));
+    let expected: (f64, f64, f64, f64, f64) = reference(ellipsoid).inverse(lat1, lon1, lat2, lon2);
+    let (s12, azi1, azi2, m12, _) = expected;
+    if !known(s12, ellipsoid, (from, to)) {
+        return;
+    }
+    let Some([length, azimuth, _]) = claim_of(method, ellipsoid, lat1, s12) else {
+        return;
+    };
+    let error = (distance - s12).abs();
+    assert!(
+        error <= length + theirs(ellipsoid),
+        "{}, {expected:?}: {error:e}",
+        context()
+    );
+    // Next to opposite latitudes or longitudes there are two shortest lines, and either will do.
+    let unsure = if T::NAME == "f32" { 1e-3 } else { 1e-9 };
+    let turned = ((lon2 - lon1).abs() - 180.0).abs();
+    if s12 > 1e7 && ((lat1 + lat2).abs() < unsure || turned < unsure) || s12 == 0.0 {
+        return;
+    }
+    let turn = |found: f64, expected: f64| {
+        let turn = (found - expected).abs();
+        turn.min((360.0 - turn).abs()).to_radians()
+    };
+    let error = turn(azimuth1, azi1).max(turn(azimuth2, azi2)) * m12.abs();
+    assert!(
+        error <= azimuth + theirs(ellipsoid),
+        "{}, {expected:?}: {error:e}",
+        context()
+    );
+}
+
+/// Every method's place at the end of a line, as near to GeographicLib's as its documentation says.
+fn methods_direct<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let (method, ellipsoid) = method::<T>(bytes);
+    let (from, azimuth, distance) = (bytes.place::<T>(), azimuth::<T>(bytes), distance::<T>(bytes));
+    let end = method.on(ellipsoid).unwrap().direct(from, azimuth, distance);
+    let context = || {
+        format!(
+            "{method} {} {ellipsoid:?} {from:?} {azimuth:?} {distance:?}: {end:?}",
+            T::NAME
+        )
+    };
+    let end = match end {
+        Ok(end) => end,
+        Err(GeodesicError::Distance(refused)) => {
+            assert!(same(refused, distance) && distance.into().abs() > 5e8, "{}", context());
+            return;
+        }
+        Err(_) => panic!("{}", context()),
+    };
+    assert!(in_range(end), "{}", context());
+    if distance.into().abs() > 4.1e8 {
+        return;
+    }
+    let (lat, lon) = coordinates(from);
+    let Some([.., position]) = claim_of(method, ellipsoid, lat, distance.into()) else {
+        return;
+    };
+    let reference = reference(ellipsoid);
+    let expected: (f64, f64) = reference.direct(lat, lon, azimuth.into() % 360.0, distance.into());
+    let error = apart(ellipsoid, end.position, expected);
+    let circuits = 1.0 + distance.into().abs() / 2e7;
+    assert!(
+        error <= position + circuits * theirs(ellipsoid),
+        "{}, {expected:?}: {error:e}",
+        context()
+    );
+}
+
+/// From there to here, from the other hemisphere, and the other way round the globe it is as far.
+fn swapped_and_mirrored<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let ellipsoid = bytes.ellipsoid::<T>(FLATTENINGS.0, FLATTENINGS.1);
+    let (from, to) = bytes.pair::<T>();
+    let karney = Karney::new(ellipsoid).unwrap();
+    let distance = |from: LatLon<T>, to: LatLon<T>| -> f64 { karney.inverse(from, to).unwrap().distance.into() };
+    let moved = |place: LatLon<T>, north: T, east: T| LatLon::new(place.lat() * north, place.lon() * east).unwrap();
+    let one = T::ONE;
+    let straight = distance(from, to);
+    let allowed = 2.0 * claimed(ellipsoid, "Karney inverse, distance", ELSEWHERE, straight);
+    let images = [
+        ("swapped", to, from),
+        ("south for north", moved(from, -one, one), moved(to, -one, one)),
+        ("west for east", moved(from, one, -one), moved(to, one, -one)),
+        ("turned", moved(to, -one, -one), moved(from, -one, -one)),
+    ];
+    for (name, a, b) in images {
+        let image = distance(a, b);
+        assert!(
+            (image - straight).abs() <= allowed,
+            "{} {ellipsoid:?} {from:?} {to:?}, {name}: {straight:?} {image:?}",
+            T::NAME
+        );
+    }
+}
+
+/// No way round by a third place is shorter.
+fn triangle<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let ellipsoid = bytes.ellipsoid::<T>(FLATTENINGS.0, FLATTENINGS.1);
+    let (from, to) = bytes.pair::<T>();
+    let by = if bytes.flag() {
+        bytes.place()
+    } else {
+        bytes.place_about(from, false)
+    };
+    let karney = Karney::new(ellipsoid).unwrap();
+    let distance = |from, to| -> f64 { karney.inverse(from, to).unwrap().distance.into() };
+    let (straight, round) = (distance(from, to), distance(from, by) + distance(by, to));
+    let allowed = 2.0 * claimed(ellipsoid, "Karney inverse, distance", ELSEWHERE, straight);
+    assert!(
+        straight <= round + allowed,
+        "{} {ellipsoid:?} {from:?} {to:?} by {by:?}: {straight:?} {round:?}",
+        T::NAME
+    );
+}
