@@ -17,7 +17,7 @@ const SKY: [f32; 3] = [0.30, 0.52, 0.86];
 pub fn ground(colour: [f32; 3], light: f32, day: f32, facing: f32, height: f32, distance: f32) -> [f32; 3] {
     let day = (4.0 * day + 0.4).clamp(0.0, 1.0);
     let shade = 0.16 + day * (0.14 + 1.05 * light.max(0.0));
-    let through = (THINNING * (1.0 - (-height / THINNING).exp()) / facing.max(0.03)).min(distance);
+    let through = (THINNING * (1.0 - (-height / THINNING).exp()) / facing.max(0.01)).min(distance);
     let share = 1.0 - (-through / SIGHT).exp();
     let lit = HAZE.map(|v| v * (0.08 + 0.92 * day));
     std::array::from_fn(|k| colour[k] * shade * (1.0 - share) + lit[k] * share)

@@ -5,11 +5,11 @@ use terrella::{Ecef, Ellipsoid, Enu, LatLon, LocalFrame};
 
 use crate::elevation::Elevation;
 
-/// What is looked at: where the ridges of the Cumberland Mountains meet the valley.
-const AIM: [f64; 2] = [36.545, -84.226];
+/// What is looked at: a valley of the Cumberland Mountains.
+const AIM: [f64; 2] = [36.505, -84.205];
 
-/// Where the light comes from, at the aim: degrees clockwise from north, and up.
-const SUN: [f64; 2] = [225.0, 42.0];
+/// Where the light comes from, at the aim, as on maps: degrees clockwise from north, and up.
+const SUN: [f64; 2] = [315.0, 42.0];
 
 /// From the middle of the picture to its upper edge, in degrees.
 const HALF_VIEW: f64 = 25.0;
@@ -22,13 +22,13 @@ pub const STATIONS: [[f64; 3]; 10] = [
     [1.0e7, 0.0, 0.0],
     [3.0e6, 5.0, 0.0],
     [1.0e6, 15.0, 0.0],
-    [3.0e5, 35.0, 0.0],
-    [1.0e5, 50.0, -10.0],
-    [3.0e4, 58.0, -20.0],
-    [1.0e4, 65.0, -30.0],
-    [3.0e3, 70.0, -40.0],
-    [1.0e3, 74.0, -45.0],
-    [2.0e2, 79.0, -50.0],
+    [3.0e5, 15.0, 0.0],
+    [1.0e5, 20.0, -10.0],
+    [3.0e4, 40.0, -30.0],
+    [1.0e4, 58.0, -50.0],
+    [3.0e3, 68.0, -70.0],
+    [1.0e3, 74.0, -90.0],
+    [2.0e2, 80.0, -110.0],
 ];
 
 /// What is seen from a station.

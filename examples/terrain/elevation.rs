@@ -127,7 +127,7 @@ impl Elevation {
         );
         let north = (place.lat() - NORTH).max(south - place.lat()).max(0.0) * DEGREE[0];
         let across = (place.lon() - east).max(WEST - place.lon()).max(0.0) * DEGREE[1];
-        north.hypot(across)
+        (north * north + across * across).sqrt()
     }
 
     /// Catmull and Rom's interpolation at a column and row; outside, at the nearest edge.

@@ -19,12 +19,12 @@ use crate::scale::Scale;
 /// Samples along each side of a pixel.
 const SUPERSAMPLING: u32 = 2;
 
-/// Pixels for each sample of the terrain, at most (Lambers & Kolb 2012), and the finest level: of samples 0.3 m apart.
+/// Pixels for each sample of the terrain, at most (Lambers & Kolb 2012), and the finest level: of samples 1.2 m apart.
 const RATIO: f64 = 1.5;
-const FINEST: u8 = 18;
+const FINEST: u8 = 16;
 
 /// Where the imagery is too coarse for the relief to be left without colours of its own, in metres above ground.
-const TINTED: f64 = 25_000.0;
+const TINTED: f64 = 120_000.0;
 
 /// From this height down, leaning heights are drawn too: metres above ground.
 const LEAN_SEEN: f64 = 10_000.0;
@@ -91,7 +91,7 @@ impl World {
         let tiles: Vec<Tile> = Selection::new(&self.enclosure, camera, detail, heights).collect();
 
         let map = self.enclosure.map();
-        let tint = 0.7 / (1.0 + (view.height / TINTED).powi(2));
+        let tint = 0.75 / (1.0 + (view.height / TINTED).powi(2));
         let mut single = Canvas::<f32>::new(size);
         let mut double = Canvas::<f64>::new(size);
         let mut lean = (view.height <= LEAN_SEEN).then(|| Canvas::<f64>::new(size));

@@ -12,8 +12,11 @@ use crate::imagery::Imagery;
 /// Samples along the edge of a tile.
 pub const SAMPLES: u32 = 129;
 
-/// Where the model is, colours by height from the valleys to the ridges; one pixel of the imagery is as wide as half of it.
-const RELIEF: [[f32; 3]; 2] = [[0.36, 0.42, 0.22], [0.47, 0.40, 0.29]];
+/// How much brighter than the imagery the ground is drawn.
+const BRIGHTER: f32 = 1.35;
+
+/// Where the model is, colours by height from the valleys to the ridges: two pixels of the imagery are as wide as all of it.
+const RELIEF: [[f32; 3]; 2] = [[0.40, 0.50, 0.26], [0.62, 0.53, 0.40]];
 const RELIEF_HEIGHTS: [f64; 2] = [250.0, 1_000.0];
 
 /// The samples of a tile, in rows from below.
@@ -57,7 +60,7 @@ impl Ground {
             let picture = imagery.sample(place);
             ground.colours.push(std::array::from_fn(|k| {
                 let colour = RELIEF[0][k] + along * (RELIEF[1][k] - RELIEF[0][k]);
-                let seen = picture[k] / 255.0;
+                let seen = BRIGHTER * picture[k] / 255.0;
                 seen + relief * (colour - seen)
             }));
         }
