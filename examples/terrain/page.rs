@@ -1,0 +1,158 @@
+//! The page that shows the frames.
+
+use terrella::cube::{CubeMap, Projection};
+use terrella::terrain::lean;
+use terrella::{Geodetic, LatLon};
+
+use crate::approach::{ASPECT, aim};
+use crate::cli::Options;
+use crate::frame::{Frame, LEANING, Leaning, ROUNDING};
+use crate::scale::length;
+use crate::{jpeg_file, png_file};
+
+/// The page's colour, around the pictures too.
+pub const BACKGROUND: [u8; 3] = [0x0d, 0x11, 0x18];
+
+const STYLE: &str = include_str!("page.css");
+
+/// The whole page.
+pub fn html(options: &Options, map: &CubeMap<f64, Projection>, frames: &[Frame]) -> Result<String, String> {
+    let rows: String = frames
+        .iter()
+        .enumerate()
+        .map(|(index, frame)| row(options, index, frame))
+        .collect();
+    let leaning: String = frames
+        .iter()
+        .enumerate()
+        .filter_map(|(index, frame)| Some(leaning_row(options, index, frame, frame.leaning.as_ref()?)))
+        .collect();
+    let most = |of: fn(&Frame) -> f64| frames.iter().map(of).fold(0.0, f64::max);
+    let place = aim().map_err(|error| error.to_string())?;
+    let leans = lean(&map.shifted(), place, 1_000.0);
+    Ok(format!(
+        r#"<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>An approach in single precision</title>
+<meta name="description" content="Real terrain on a cube-mapped ellipsoid, drawn by the crate terrella in single and in double precision.">
+<style>
+{STYLE}</style>
+</head>
+<body>
+<header>
+<h1>An approach in single precision</h1>
+<p class="lead">A graphics card computes in <code>f32</code>, whose numbers are half a metre apart at the Earth’s radius. Terrain is drawn with it to
+the millimetre all the same, if only what is small is left to it.</p>
+<p>From 10&nbsp;000&nbsp;km down to 200&nbsp;m above the Cumberland Mountains near Jacksboro, Tennessee. Of every tile four corners are kept in
+<code>f64</code>; the eye is subtracted from them, and all the rest is <code>f32</code>: the bilinear patch between the corners, the displacement to
+the ellipsoid, the height along its normal, the matrix, the light. Beside it the same frame in <code>f64</code> throughout, straight from latitude, longitude
+and height.</p>
+</header>
+<main>
+<section aria-labelledby="rounding">
+<h2 id="rounding">What rounding does</h2>
+<p>The third picture is the distance between the two positions of each vertex, interpolated over the triangles. The figures are of all
+vertices of the tiles that are drawn. Within 1&nbsp;km of the eye they are at most <strong>{near}</strong> apart, and beyond at
+most <strong>{beyond:.2}</strong> millionths of the distance.</p>
+{rounding_scale}{rows}</section>
+<section aria-labelledby="leaning">
+<h2 id="leaning">What leaning does</h2>
+<p>The cube is mapped to a sphere, and the sphere to the ellipsoid by its {shift} latitude. Who reads heights along the sphere’s normal, as if there were
+no ellipsoid, moves the terrain: here, by {aside} to the {side} and {down} down for each kilometre of height. (To take the Earth for a sphere of its mean radius
+altogether moves this place by {moved}.) Left as it should be, then as it leans, both in <code>f64</code>; the third picture is how far the ground is from
+where it should be.</p>
+{leaning_scale}{leaning}</section>
+</main>
+<footer>
+<p>Drawn by the example <code>terrain</code> of the crate <code>terrella</code>: {projection} cube, {shift} latitude, WGS84. Elevation: a piece of the
+public-domain elevation data of the United States, 3″ between samples, its heights above the sea taken for heights above the ellipsoid; around it the
+ground slopes down to the ellipsoid over 150&nbsp;km, which is made up. Imagery: NASA Blue Marble, 20&nbsp;km to a pixel; near the ground the relief has
+colours of its own, by height.</p>
+</footer>
+</body>
+</html>
+"#,
+        near = length(most(|frame| frame.rounded.near)),
+        beyond = 1e6 * most(|frame| frame.rounded.beyond),
+        rounding_scale = ROUNDING.html(),
+        leaning_scale = LEANING.html(),
+        shift = options.shift,
+        projection = options.projection,
+        aside = length(leans.north.abs()),
+        side = if leans.north < 0.0 { "south" } else { "north" },
+        down = length(-leans.up),
+        moved = length(off_sphere(map, place)),
+    ))
+}
+
+/// How far a place is from where it would be on the sphere of the mean radius.
+fn off_sphere(map: &CubeMap<f64, Projection>, place: LatLon<f64>) -> f64 {
+    let earth = map.shifted().ellipsoid();
+    let right = earth.to_ecef(Geodetic::from(place)).to_array();
+    let wrong = place.to_direction().to_array().map(|v| v * earth.mean_radius());
+    (0..3).map(|k| (right[k] - wrong[k]).powi(2)).sum::<f64>().sqrt()
+}
+
+fn row(options: &Options, index: usize, frame: &Frame) -> String {
+    let height = length(frame.height);
+    let [coarsest, finest] = frame.levels;
+    let levels = if coarsest == finest {
+        format!("level {finest}")
+    } else {
+        format!("levels {coarsest} to {finest}")
+    };
+    figure(
+        options,
+        [
+            (jpeg_file(index, "single"), "f32"),
+            (jpeg_file(index, "double"), "f64"),
+            (png_file(index, "rounding"), "difference"),
+        ],
+        &height,
+        &format!(
+            "{} tiles, {levels}; largest difference {}, median {}; {} of {} pixels are not of the same colour",
+            frame.tiles,
+            length(frame.rounded.largest()),
+            length(frame.rounded.median()),
+            frame.unlike,
+            frame.single.pixels().len(),
+        ),
+    )
+}
+
+fn leaning_row(options: &Options, index: usize, frame: &Frame, leaning: &Leaning) -> String {
+    figure(
+        options,
+        [
+            (jpeg_file(index, "double"), "upright"),
+            (jpeg_file(index, "leaning"), "leaning"),
+            (png_file(index, "lean"), "difference"),
+        ],
+        &length(frame.height),
+        &format!(
+            "largest difference {}; {} of {} pixels are not of the same colour",
+            length(leaning.difference.largest()),
+            leaning.unlike,
+            leaning.picture.pixels().len(),
+        ),
+    )
+}
+
+fn figure(options: &Options, pictures: [(String, &str); 3], height: &str, figures: &str) -> String {
+    let (width, tall) = (options.size, options.size * ASPECT[1] / ASPECT[0]);
+    let pictures: String = pictures
+        .iter()
+        .map(|(file, name)| {
+            format!(
+                "<a href=\"{file}\"><img src=\"{file}\" width=\"{width}\" height=\"{tall}\" alt=\"{name}, {height} above ground\" \
+                 loading=\"lazy\"><span>{name}</span></a>\n"
+            )
+        })
+        .collect();
+    format!(
+        "<figure>\n<div class=\"pictures\">\n{pictures}</div>\n<figcaption><strong>{height}</strong> above ground: {figures}</figcaption>\n</figure>\n"
+    )
+}
