@@ -41,7 +41,7 @@ fn compare<T: Scalar, E: Debug, const I: usize, const O: usize>(
 
     // One of eight batches has a column that is shorter or longer.
     let by = usize::from(unequal / 8 % 3);
-    let other = if unequal % 8 == 0 {
+    let other = if unequal.is_multiple_of(8) {
         (length + 1).saturating_sub(by)
     } else {
         length
