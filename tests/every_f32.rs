@@ -60,7 +60,7 @@ fn pieces(from: f32, to: f32) -> impl ParallelIterator<Item = std::ops::RangeInc
 const BLOCK: usize = 64;
 
 /// The worst of a function's results over all numbers from one to another of the same sign; and that of the opposite number each result is
-/// the same, but for this sign, in every bit. A sign of 0 says nothing.
+/// the same, but for this sign. A sign of 0 says nothing.
 fn over<const N: usize>(
     [from, to]: [f32; 2],
     signs: [f32; N],
@@ -80,7 +80,7 @@ fn over<const N: usize>(
                 for i in 0..N {
                     let mirrored = signs[i] * result[i];
                     assert!(
-                        signs[i] == 0.0 || mirrored.to_bits() == opposite[i].to_bits(),
+                        signs[i] == 0.0 || mirrored == opposite[i],
                         "{at:e} and its opposite: {:e} {:e}",
                         result[i],
                         opposite[i]

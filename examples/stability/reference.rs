@@ -1,16 +1,21 @@
 //! Latitude, longitude and height of a point with twice the digits of `f64`.
 
 use terrella::{Geodetic, Real};
-use twofloat::TwoFloat;
+
+#[allow(dead_code)] // shared with the tests
+#[path = "../../tests/laws/double.rs"]
+mod double;
+
+use double::{Double, of, sin_cos_degrees};
 
 /// The semi-major axis of WGS84 in metres.
 pub const A: f64 = 6_378_137.0;
 
 /// The nearest point of the ellipsoid: latitude and longitude by sine and cosine, the height in metres.
 pub struct Reference {
-    lat: [TwoFloat; 2],
-    lon: [TwoFloat; 2],
-    height: TwoFloat,
+    lat: [Double; 2],
+    lon: [Double; 2],
+    height: Double,
 }
 
 impl Reference {
@@ -18,23 +23,24 @@ impl Reference {
     ///
     /// It is where (aρ/(s + a² − b²))² + (bz/s)² = 1 for a positive s. Newton's steps from below the solution do not pass it.
     pub fn new([x, y, z]: [f64; 3]) -> Self {
-        let one = TwoFloat::from(1.0);
-        let a = TwoFloat::from(A);
-        let f = TwoFloat::from(1e9) / TwoFloat::from(298_257_223_563.0);
+        let (one, two) = (of(1.0), of(2.0));
+        let a = of(A);
+        let f = of(1e9) / of(298_257_223_563.0);
         let b = a * (one - f);
-        let e2 = f * (TwoFloat::from(2.0) - f);
+        let e2 = f * (two - f);
         let gap = a * a * e2;
-        let [x, y, z] = [x, y, z].map(TwoFloat::from);
+        let [x, y, z] = [x, y, z].map(of);
         let rho = (x * x + y * y).sqrt();
-        let step = |s: TwoFloat| {
+        let step = |s: Double| {
             let (u, v) = (a * rho / (s + gap), b * z / s);
             let (uu, vv) = (u * u, v * v);
-            s + (uu + vv - one) / (uu / (s + gap) + vv / s) / TwoFloat::from(2.0)
+            s + (uu + vv - one) / (uu / (s + gap) + vv / s) / two
         };
-        let mut s = (b * z).max(a * rho - gap);
+        let (polar, equatorial) = (b * z, a * rho - gap);
+        let mut s = if polar > equatorial { polar } else { equatorial };
         for _ in 0..100 {
             let next = step(s);
-            let done = (next - s).abs() <= s * TwoFloat::from(1e-30);
+            let done = (next - s).abs() <= s * of(1e-30);
             s = next;
             if done {
                 break;
@@ -52,13 +58,13 @@ impl Reference {
 
     /// How far off an answer is, in metres: its place on the ground, and its height.
     pub fn errors<T: Real + Into<f64>>(&self, found: Geodetic<T>) -> [f64; 2] {
-        let turn = |[sin, cos]: [TwoFloat; 2], degrees: f64| {
-            let (s, c) = TwoFloat::from(degrees).to_radians().sin_cos();
-            f64::from(s * cos - c * sin)
+        let turn = |[sin, cos]: [Double; 2], degrees: f64| {
+            let (s, c) = sin_cos_degrees(degrees);
+            (s * cos - c * sin).high
         };
         let north = turn(self.lat, found.lat().into());
-        let east = turn(self.lon, found.lon().into()) * f64::from(self.lat[1]);
-        let up = TwoFloat::from(found.height().into()) - self.height;
-        [A * north.hypot(east), f64::from(up).abs()]
+        let east = turn(self.lon, found.lon().into()) * self.lat[1].high;
+        let up = of(found.height().into()) - self.height;
+        [A * north.hypot(east), up.high.abs()]
     }
 }

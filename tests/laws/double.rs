@@ -106,3 +106,16 @@ impl Double {
         sin / cos
     }
 }
+
+/// Sine and cosine of an angle in degrees.
+pub fn sin_cos_degrees(degrees: f64) -> (Double, Double) {
+    let quarters = (degrees / 90.0).round();
+    let rest = degrees - 90.0 * quarters;
+    let (sin, cos) = (of(rest) * PI / of(180.0)).sin_cos();
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}

@@ -6,7 +6,7 @@ use terrella::latitude::Conversion;
 use terrella::{Aer, Ecef, Ellipsoid, Enu, Geodetic, Latitude, LocalFrame, Ned};
 
 use crate::bytes::Bytes;
-use crate::double::{Double, of};
+use crate::double::{Double, of, sin_cos_degrees};
 use crate::law::laws;
 use crate::nearest::searched;
 use crate::scalar::{Scalar, steps};
@@ -14,19 +14,6 @@ use crate::table::claim;
 use crate::vector::{apart, excess, length};
 
 laws! { to_direction to_lat_lon to_ecef to_geodetic nearest frames pointing latitudes_close latitudes_grow latitudes_are_true }
-
-/// Sine and cosine of an angle in degrees.
-fn sin_cos_degrees(degrees: f64) -> (Double, Double) {
-    let quarters = (degrees / 90.0).round();
-    let rest = degrees - 90.0 * quarters;
-    let (sin, cos) = (of(rest) * crate::double::PI / of(180.0)).sin_cos();
-    match quarters.rem_euclid(4.0) as u8 {
-        0 => (sin, cos),
-        1 => (cos, -sin),
-        2 => (-sin, -cos),
-        _ => (-cos, sin),
-    }
-}
 
 /// |computed − exact| of vectors.
 fn miss<T: Scalar>(computed: [T; 3], exact: [Double; 3]) -> f64 {
