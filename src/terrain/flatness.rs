@@ -1,6 +1,7 @@
 use super::bilinear::{blend, weights};
 use super::vector::{difference, dot};
 use super::{Heights, Patches, Tile};
+use crate::Real;
 use crate::cube::{Corner, CubeProjection, Face};
 use crate::math::max;
 
@@ -49,7 +50,7 @@ impl<P: CubeProjection> Patches<P> {
                 *worst = max(*worst, found);
             }
         }
-        let [displacement, turning] = worst.map(|squared| 1.25 * squared.sqrt());
+        let [displacement, turning] = worst.map(|squared| 1.25 * Real::sqrt(squared));
         Flatness {
             displacement: displacement + 4.0 * f64::EPSILON * self.map().shifted().ellipsoid().a(),
             turning: turning + 4.0 * f64::EPSILON,
