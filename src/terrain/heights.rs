@@ -81,7 +81,7 @@ impl<T: fmt::Debug> core::error::Error for InvalidHeights<T> {}
 /// let (everest, place) = (8848.0_f64, LatLon::new(27.988, 86.925)?);
 /// let earth = Shifted::new(Ellipsoid::wgs84(), Shift::Geocentric)?;
 /// let lean = lean(&earth, place, everest);
-/// assert_eq!(format!("{:.2} {:.2} {:.3}", lean.east, lean.north, lean.up), "0.00 -24.63 -0.034");
+/// assert_eq!(format!("{:.2} {:.2} {:.3}", lean.east, lean.north, lean.up), "0.00 -24.58 -0.034");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
