@@ -18,7 +18,7 @@ const STEP: f64 = 3.0 / 3600.0;
 const DEGREE: [f64; 2] = [110_960.0, 89_480.0];
 
 /// Metres from the model in which its edge gives way to its mean, and that to the ellipsoid.
-const EDGE: f64 = 6_000.0;
+const EDGE: f64 = 2_500.0;
 const SLOPE: f64 = 150_000.0;
 
 /// Cubic interpolation may overshoot: the weights of four samples add up to 1.25 in magnitude, in two dimensions to the square of that.

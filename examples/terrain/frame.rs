@@ -19,9 +19,9 @@ use crate::scale::Scale;
 /// Samples along each side of a pixel.
 const SUPERSAMPLING: u32 = 2;
 
-/// Pixels for each sample of the terrain, at most (Lambers & Kolb 2012), and the finest level: of samples 1.2 m apart.
+/// Pixels for each sample of the terrain, at most (Lambers & Kolb 2012), and the finest level: of samples 5 m apart.
 const RATIO: f64 = 1.5;
-const FINEST: u8 = 16;
+const FINEST: u8 = 14;
 
 /// Where the imagery is too coarse for the relief to be left without colours of its own, in metres above ground.
 const TINTED: f64 = 120_000.0;
