@@ -40,7 +40,7 @@ impl Arguments {
     pub fn unit<T: Real>(&mut self) -> T {
         let drawn = self.draw();
         let number = T::whole(drawn) * T::of(1.0 / 8_388_608.0) - T::ONE;
-        if !self.limits || self.draw() % 8 != 0 {
+        if !self.limits || !self.draw().is_multiple_of(8) {
             return number;
         }
         let limit = match drawn % 4 {
