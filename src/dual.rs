@@ -219,6 +219,7 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     const ZERO: Self = Self::constant(T::ZERO);
     const ONE: Self = Self::constant(T::ONE);
     const EPSILON: Self = Self::constant(T::EPSILON);
+    const DIGITS: u32 = T::DIGITS;
 
     #[inline(always)]
     fn of(literal: f64) -> Self {

@@ -22,6 +22,7 @@
 //! | [`geodesic`] | distances, azimuths, destinations and areas: eight methods behind one trait |
 //! | [`distortion`] | what a projection does to shapes, areas and texels; surveys of whole faces |
 //! | [`terrain`] | tiles of the faces: addresses, neighbours, keys, bounds, and which of them a picture needs |
+//! | [`scene`] | the cheapest model that keeps a tolerance, with a bound |
 //! | [`batch`] | the same functions over slices, as wide as the machine is |
 //! | [`math`] | the kernels under all of it |
 //! | [`Real`], [`Dual`] | the scalar, and the scalar that carries derivatives |
@@ -55,6 +56,7 @@ pub mod latitude;
 pub mod math;
 mod position;
 mod real;
+pub mod scene;
 pub mod terrain;
 
 pub use dual::Dual;

@@ -52,6 +52,8 @@ pub trait Real:
     const ONE: Self;
     /// The distance from 1 to the next larger number: 2⁻²³ or 2⁻⁵².
     const EPSILON: Self;
+    /// Binary digits of a number: 24 or 53.
+    const DIGITS: u32;
 
     /// The scalar nearest to a literal. Of a constant it is a constant: no conversion is left at run time.
     #[must_use]
@@ -181,6 +183,7 @@ macro_rules! real {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const EPSILON: Self = $float::EPSILON;
+            const DIGITS: u32 = $float::MANTISSA_DIGITS;
 
             #[inline(always)]
             fn of(literal: f64) -> Self {

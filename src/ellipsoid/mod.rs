@@ -26,9 +26,16 @@ pub struct Ellipsoid<T> {
 }
 
 macro_rules! named {
-    ($($(#[$doc:meta])* $function:ident, $name:literal, $a:expr, $f:expr;)*) => {
+    ($($(#[$doc:meta])* $function:ident, $constant:ident, $name:literal, $a:expr, $f:expr;)*) => {
         /// Names that [`Ellipsoid::named`] knows.
         pub const NAMED: &[&str] = &[$($name),*];
+
+        impl Ellipsoid<f64> {
+            $(
+                $(#[$doc])*
+                pub const $constant: Self = Self { a: $a, f: $f };
+            )*
+        }
 
         impl<T: Real> Ellipsoid<T> {
             $(
@@ -59,21 +66,29 @@ macro_rules! named {
 
 named! {
     /// World Geodetic System 1984: 6 378 137 m, 1/298.257223563.
-    wgs84, "wgs84", 6_378_137.0, 1.0 / 298.257_223_563;
+    wgs84, WGS84, "wgs84", 6_378_137.0, 1.0 / 298.257_223_563;
     /// Geodetic Reference System 1980: 6 378 137 m, 1/298.257222101.
-    grs80, "grs80", 6_378_137.0, 1.0 / 298.257_222_101;
+    grs80, GRS80, "grs80", 6_378_137.0, 1.0 / 298.257_222_101;
     /// Clarke 1866: 6 378 206.4 m, b = 6 356 583.8 m.
-    clarke1866, "clarke1866", 6_378_206.4, 21_622.6 / 6_378_206.4;
+    clarke1866, CLARKE1866, "clarke1866", 6_378_206.4, 21_622.6 / 6_378_206.4;
     /// International (Hayford) 1924: 6 378 388 m, 1/297.
-    international1924, "international1924", 6_378_388.0, 1.0 / 297.0;
+    international1924, INTERNATIONAL1924, "international1924", 6_378_388.0, 1.0 / 297.0;
     /// Airy 1830: 6 377 563.396 m, 1/299.3249646.
-    airy1830, "airy1830", 6_377_563.396, 1.0 / 299.324_964_6;
+    airy1830, AIRY1830, "airy1830", 6_377_563.396, 1.0 / 299.324_964_6;
     /// Bessel 1841: 6 377 397.155 m, 1/299.1528128.
-    bessel1841, "bessel1841", 6_377_397.155, 1.0 / 299.152_812_8;
+    bessel1841, BESSEL1841, "bessel1841", 6_377_397.155, 1.0 / 299.152_812_8;
     /// The Moon, a sphere of 1 737 400 m (IAU).
-    moon, "moon", 1_737_400.0, 0.0;
+    moon, MOON, "moon", 1_737_400.0, 0.0;
     /// Mars: 3 396 190 m, 1/169.8944472 (IAU).
-    mars, "mars", 3_396_190.0, 1.0 / 169.894_447_2;
+    mars, MARS, "mars", 3_396_190.0, 1.0 / 169.894_447_2;
+}
+
+impl Ellipsoid<f64> {
+    /// The same ellipsoid in another scalar.
+    #[inline(always)]
+    pub(crate) fn rounded<T: Real>(self) -> Ellipsoid<T> {
+        Ellipsoid::within(T::of(self.a), T::of(self.f))
+    }
 }
 
 impl<T: Real> Ellipsoid<T> {
@@ -92,6 +107,12 @@ impl<T: Real> Ellipsoid<T> {
         Ok(Self { a, f })
     }
 
+    /// What is known to be within the bounds of [`new`](Self::new).
+    #[inline(always)]
+    pub(crate) const fn within(a: T, f: T) -> Self {
+        Self { a, f }
+    }
+
     /// A sphere of the given radius in metres.
     ///
     /// # Errors
@@ -103,14 +124,14 @@ impl<T: Real> Ellipsoid<T> {
     /// The semi-major axis a, the radius of the equator, in metres.
     #[must_use]
     #[inline(always)]
-    pub fn a(self) -> T {
+    pub const fn a(self) -> T {
         self.a
     }
 
     /// The flattening f.
     #[must_use]
     #[inline(always)]
-    pub fn f(self) -> T {
+    pub const fn f(self) -> T {
         self.f
     }
 

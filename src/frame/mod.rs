@@ -240,7 +240,7 @@ impl<T: Real> LocalFrame<T> {
 
 /// The longitude difference in [−180, 180]; across ±180 it is not rounded at the size of 360.
 #[inline(always)]
-fn turn<T: Real>(from: T, to: T) -> T {
+pub(crate) fn turn<T: Real>(from: T, to: T) -> T {
     let straight = to - from;
     let half_circle = T::of(180.0).copysign(straight);
     let wrapped = (to - half_circle) - (from + half_circle);

@@ -1,8 +1,8 @@
 use super::auxiliary::nearly_round;
-use super::degrees::{Split, heading, hypot, latitude_difference, longitude_difference, off_pole, wrapped};
+use super::degrees::{Split, off_pole};
+use super::middle::{self, Scale};
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::{atan2_degrees, max, min, select, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// The flat model: a plane whose scales are the radii of curvature at the middle latitude. The cheapest inverse there is.
@@ -38,13 +38,6 @@ pub struct Flat<T> {
     e2: T,
 }
 
-/// Metres in a degree of latitude and of longitude, and the sine of the latitude.
-struct Scale<T> {
-    north: T,
-    east: T,
-    sin: T,
-}
-
 impl<T: Real> Flat<T> {
     /// For an ellipsoid.
     ///
@@ -74,45 +67,11 @@ impl<T: Real> Geodesic<T> for Flat<T> {
     /// Never an error.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        let lat = latitude_difference(from, to);
-        let lon = longitude_difference(from, to);
-        let lon = lon.angle + lon.rest;
-        let scale = self.scale(Split::sum(from.lat(), to.lat()).half());
-        let (north, east) = ((lat.angle + lat.rest) * scale.north, lon * scale.east);
-        let azimuth = atan2_degrees(east, north);
-        let convergence = T::of(0.5) * lon * scale.sin;
-        Ok(Inverse {
-            distance: hypot(north, east),
-            azimuth1: wrapped(azimuth - convergence),
-            azimuth2: wrapped(azimuth + convergence),
-        })
+        Ok(middle::inverse(from, to, |lat| self.scale(lat)))
     }
 
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let (sin1, cos1) = heading(azimuth, distance)?;
-        let (half, half_circle) = (T::of(0.5), T::of(180.0));
-        let within = |x: T, limit: T| max(min(x, limit), -limit);
-        let (mut lat, mut lon, mut convergence) = (T::ZERO, T::ZERO, T::ZERO);
-        for _ in 0..3 {
-            let middle = within(from.lat() + half * lat, T::of(90.0));
-            let scale = self.scale(Split::sum(middle, T::ZERO));
-            let (sin, cos) = sin_cos_degrees(convergence);
-            lat = within(distance * ((cos1 * cos - sin1 * sin) / scale.north), half_circle);
-            lon = within(distance * ((sin1 * cos + cos1 * sin) / scale.east), half_circle);
-            convergence = half * lon * scale.sin;
-        }
-        let lat = from.lat() + lat;
-        // Over a pole and down the other side.
-        let over = lat.abs() > T::of(90.0);
-        let turn = select(over, half_circle, T::ZERO);
-        let azimuth = atan2_degrees(sin1, cos1) + (convergence + convergence);
-        Ok(Direct {
-            position: LatLon::within(
-                select(over, half_circle.copysign(lat) - lat, lat),
-                wrapped(wrapped(from.lon() + lon) + turn),
-            ),
-            azimuth: wrapped(wrapped(azimuth) + turn),
-        })
+        middle::direct(from, azimuth, distance, |lat| self.scale(lat))
     }
 }

@@ -14,7 +14,9 @@ mod great_circle;
 mod haversine;
 mod karney;
 mod method;
+mod middle;
 mod ordinary;
+mod plane;
 mod vincenty;
 
 pub use andoyer::Andoyer;
@@ -25,6 +27,7 @@ pub use great_circle::GreatCircle;
 pub use haversine::Haversine;
 pub use karney::{Area, Karney, Line, LinePoint, PolygonArea, Solution};
 pub use method::{AnyMethod, Method, UnknownMethod};
+pub use plane::Plane;
 pub use vincenty::Vincenty;
 
 /// A method that solves the two problems of geodesy.

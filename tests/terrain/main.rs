@@ -16,5 +16,6 @@ mod neighbours;
 mod patch;
 mod relative;
 mod sample;
+mod scene;
 mod selection;
 mod tile;

@@ -1,0 +1,63 @@
+//! The plane between two places, whose scales are those of the middle latitude: what the flat methods share.
+
+use super::degrees::{Split, heading, hypot, latitude_difference, longitude_difference, wrapped};
+use super::{Direct, GeodesicError, Inverse};
+use crate::math::{atan2_degrees, max, min, select, sin_cos_degrees};
+use crate::{LatLon, Real};
+
+/// Metres in a degree of latitude and of longitude, and the sine of the latitude.
+pub(super) struct Scale<T> {
+    pub north: T,
+    pub east: T,
+    pub sin: T,
+}
+
+#[inline(always)]
+pub(super) fn inverse<T: Real>(from: LatLon<T>, to: LatLon<T>, scale: impl Fn(Split<T>) -> Scale<T>) -> Inverse<T> {
+    let lat = latitude_difference(from, to);
+    let lon = longitude_difference(from, to);
+    let lon = lon.angle + lon.rest;
+    let scale = scale(Split::sum(from.lat(), to.lat()).half());
+    let (north, east) = ((lat.angle + lat.rest) * scale.north, lon * scale.east);
+    let azimuth = atan2_degrees(east, north);
+    let convergence = T::of(0.5) * lon * scale.sin;
+    Inverse {
+        distance: hypot(north, east),
+        azimuth1: wrapped(azimuth - convergence),
+        azimuth2: wrapped(azimuth + convergence),
+    }
+}
+
+/// Three steps toward the middle latitude of where it leads.
+#[inline(always)]
+pub(super) fn direct<T: Real>(
+    from: LatLon<T>,
+    azimuth: T,
+    distance: T,
+    scale: impl Fn(Split<T>) -> Scale<T>,
+) -> Result<Direct<T>, GeodesicError<T>> {
+    let (sin1, cos1) = heading(azimuth, distance)?;
+    let (half, half_circle) = (T::of(0.5), T::of(180.0));
+    let within = |x: T, limit: T| max(min(x, limit), -limit);
+    let (mut lat, mut lon, mut convergence) = (T::ZERO, T::ZERO, T::ZERO);
+    for _ in 0..3 {
+        let middle = within(from.lat() + half * lat, T::of(90.0));
+        let scale = scale(Split::sum(middle, T::ZERO));
+        let (sin, cos) = sin_cos_degrees(convergence);
+        lat = within(distance * ((cos1 * cos - sin1 * sin) / scale.north), half_circle);
+        lon = within(distance * ((sin1 * cos + cos1 * sin) / scale.east), half_circle);
+        convergence = half * lon * scale.sin;
+    }
+    let lat = from.lat() + lat;
+    // Over a pole and down the other side.
+    let over = lat.abs() > T::of(90.0);
+    let turn = select(over, half_circle, T::ZERO);
+    let azimuth = atan2_degrees(sin1, cos1) + (convergence + convergence);
+    Ok(Direct {
+        position: LatLon::within(
+            select(over, half_circle.copysign(lat) - lat, lat),
+            wrapped(wrapped(from.lon() + lon) + turn),
+        ),
+        azimuth: wrapped(wrapped(azimuth) + turn),
+    })
+}

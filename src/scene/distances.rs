@@ -1,0 +1,132 @@
+use core::marker::PhantomData;
+
+use super::bounds::Models;
+use super::{Bound, Method, Model, Scene, SceneError};
+use crate::geodesic::{Andoyer, Flat, GreatCircle, Karney, Plane, Vincenty};
+use crate::latitude::UnsupportedFlattening;
+use crate::{Ellipsoid, LatLon, Real};
+
+/// A scene's model of distances and azimuths: from [`Scene::distances`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Distances<T> {
+    model: Model,
+    bound: Bound,
+    ellipsoid: Ellipsoid<f64>,
+    radius: f64,
+    latitude: f64,
+    local: bool,
+    scalar: PhantomData<T>,
+}
+
+impl Scene {
+    /// The cheapest model of distances and azimuths that keeps the tolerances in a scalar.
+    ///
+    /// For distances to s, σ = s/b, x = max(0, 2σ/π − 1), r = a(1 − f)², latitudes within δ radians of their middle, φ the farthest from the equator and φ₀ the nearest, the
+    /// errors of the models are at most
+    ///
+    /// | model | of a distance | of an azimuth | where |
+    /// |---|---|---|---|
+    /// | [`Flat`] | 1.25 s³/(24r²) (0.26 + 1.13 tan²φ) | 1.25 s²/r² (0.033 + 0.027 tan²φ) | s ≤ 0.2 r, s tan φ ≤ 0.4 r |
+    /// | [`Plane`] | s ε more, ε = 1.1 δ³/6 (tan φ + 6e² + δ/4) | ε + s/r δ³/12 more | as [`Flat`], δ ≤ 0.1 |
+    /// | [`GreatCircle`] of radius (M + N)/2 | s (N − M)/(2M), M that of φ₀, N that of φ + s/2r | 1.2 f cos²φ₀ (1 + 1.45 x²/(π − σ)) | |
+    /// | [`Andoyer`] | 1.2 a f² (σ/8 + 1.08x/(π − σ)), 2af if less | 1.2 f² (0.33 + 2.9 (σ/π)²/(π − σ)²) | |
+    /// | [`Vincenty`] | 2·10⁻⁸ m on the Earth | rounding | |
+    /// | [`Karney`] | 7·10⁻⁹ m on the Earth | rounding | |
+    ///
+    /// and the rounding of the scalar, of the places in it too. The sphere's is a theorem: no curve is longer on the ellipsoid than N/R, or shorter than M/R, times as long as on
+    /// the sphere. A place reached by [`Geodesic::direct`](crate::geodesic::Geodesic::direct) is within the bound of the distance, and s times that of the azimuth, of the true one.
+    ///
+    /// # Errors
+    /// [`SceneError::OutOfReach`] with the bound of the best model in this scalar; the others if the scene is none.
+    ///
+    /// ```
+    /// use terrella::Ellipsoid;
+    /// use terrella::scene::{Distances, Model, Scene, SceneError};
+    /// let leg = Scene::new(Ellipsoid::WGS84).up_to(9_000_000.0);
+    /// let model = |tolerance| leg.within(tolerance).distances().map(|way: Distances<f64>| way.model());
+    /// assert_eq!(model(50_000.0), Ok(Model::Sphere));
+    /// assert_eq!(model(20.0), Ok(Model::Andoyer));
+    /// assert_eq!(model(1e-3), Ok(Model::Vincenty));
+    /// assert!(matches!(model(1e-10), Err(SceneError::OutOfReach(reached)) if reached.distance < 2e-8));
+    /// ```
+    pub const fn distances<T: Real>(&self) -> Result<Distances<T>, SceneError> {
+        let mut best = Bound::both(f64::INFINITY);
+        let mut rest: &[Model] = &Model::ALL;
+        while let [model, dearer @ ..] = rest {
+            match self.distances_by(*model) {
+                Ok(way) if way.bound.distance <= self.tolerance && way.bound.azimuth <= self.azimuth => return Ok(way),
+                Ok(way) => best = best.least(way.bound),
+                Err(error) => return Err(error),
+            }
+            rest = dearer;
+        }
+        Err(SceneError::OutOfReach(best))
+    }
+
+    /// A model of distances and azimuths, whatever the tolerances: its [`bound`](Distances::bound) in this scene, infinite where the model is none.
+    ///
+    /// # Errors
+    /// If the scene is none.
+    ///
+    /// ```
+    /// use terrella::Ellipsoid;
+    /// use terrella::scene::{Distances, Model, Scene};
+    /// let tropics = Scene::new(Ellipsoid::WGS84).latitudes(-23.4, 23.4).up_to(1e6);
+    /// let sphere: Distances<f64> = tropics.distances_by(Model::Sphere)?;
+    /// assert!((sphere.bound().distance - 3909.0).abs() < 1.0);
+    /// # Ok::<(), terrella::scene::SceneError>(())
+    /// ```
+    pub const fn distances_by<T: Real>(&self, model: Model) -> Result<Distances<T>, SceneError> {
+        if let Some(error) = self.fault() {
+            return Err(error);
+        }
+        let models = Models::of(self, T::DIGITS < f64::MANTISSA_DIGITS);
+        Ok(Distances {
+            model,
+            bound: models.bound(model),
+            ellipsoid: self.ellipsoid,
+            radius: models.sphere,
+            latitude: models.band.middle,
+            local: self.local,
+            scalar: PhantomData,
+        })
+    }
+}
+
+impl<T: Real> Distances<T> {
+    /// The model.
+    #[must_use]
+    pub const fn model(&self) -> Model {
+        self.model
+    }
+
+    /// What no error exceeds between places of the scene.
+    #[must_use]
+    pub const fn bound(&self) -> Bound {
+        self.bound
+    }
+
+    /// The model, ready.
+    ///
+    /// # Errors
+    /// None: what a model could refuse, the scene has refused.
+    #[inline(always)]
+    pub fn method(&self) -> Result<Method<T>, UnsupportedFlattening<T>> {
+        let ellipsoid = self.ellipsoid.rounded();
+        match self.model {
+            Model::Plane => {
+                let place = LatLon::within(T::of(self.latitude), T::ZERO);
+                let make = if self.local { Plane::local } else { Plane::new };
+                make(ellipsoid, place).map(Method::Plane)
+            }
+            Model::Flat => Flat::new(ellipsoid).map(Method::Flat),
+            Model::Sphere => GreatCircle::new(T::of(self.radius))
+                .map(Method::Sphere)
+                .map_err(|_| UnsupportedFlattening(ellipsoid.f())),
+            Model::Andoyer => Andoyer::new(ellipsoid).map(Method::Andoyer),
+            Model::Vincenty => Vincenty::new(ellipsoid).map(Method::Vincenty),
+            Model::Karney => Karney::new(ellipsoid).map(Method::Karney),
+        }
+    }
+}

@@ -1,0 +1,142 @@
+use super::band::{Band, cos, hypot, root};
+use super::bounds::smallest_axis;
+use super::{Scene, SceneError};
+use crate::latitude::{Shift, Shifted, UnsupportedFlattening};
+use crate::{Ellipsoid, Real};
+
+/// What the ground may be taken for: from [`Scene::figure`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Figure {
+    /// A sphere, its latitudes the geodetic ones.
+    Sphere {
+        /// Metres.
+        radius: f64,
+        /// No place is farther from its own, in metres.
+        bound: f64,
+    },
+    /// A sphere, its latitudes the geocentric ones: places stand in their true directions.
+    Shifted {
+        /// Metres.
+        radius: f64,
+        /// The ellipsoid whose latitudes are shifted.
+        ellipsoid: Ellipsoid<f64>,
+        /// No place is farther from its own, in metres.
+        bound: f64,
+    },
+    /// The ellipsoid.
+    Ellipsoid(Ellipsoid<f64>),
+}
+
+impl Scene {
+    /// Whether ellipsoid and shift matter: the simplest ground on which no place is farther from its own than the tolerance.
+    ///
+    /// With h = √(a² cos²φ + b² sin²φ), a sphere without shift is off by (h₀ − h₁)/2 up and (a² − b²)|sin φ cos φ|/h across, heights included: normals are
+    /// kept. With the geocentric shift a place at the radius ρ is off by (ρ₀ − ρ₁)/2 along it, and heights by their normals' lean, at most e²/(2 − e²) of them.
+    ///
+    /// # Errors
+    /// If the scene is none; a tolerance of 0 has the answer [`Figure::Ellipsoid`].
+    ///
+    /// ```
+    /// use terrella::Ellipsoid;
+    /// use terrella::scene::{Figure, Scene};
+    /// let earth = Scene::new(Ellipsoid::WGS84).heights(-11_000.0, 9_000.0);
+    /// // From a million kilometres, in pixels of a milliradian, half a minute of arc, a tenth of that.
+    /// let figure = |radians| earth.within_pixels(0.5, radians, 1e9).figure();
+    /// assert!(matches!(figure(1e-3)?, Figure::Sphere { .. }));
+    /// assert!(matches!(figure(2.5e-5)?, Figure::Shifted { .. }));
+    /// assert!(matches!(figure(2.5e-6)?, Figure::Ellipsoid(_)));
+    /// # Ok::<(), terrella::scene::SceneError>(())
+    /// ```
+    pub const fn figure(&self) -> Result<Figure, SceneError> {
+        match self.figures() {
+            Ok([sphere, _]) if sphere.bound() <= self.tolerance => Ok(sphere),
+            Ok([_, shifted]) if shifted.bound() <= self.tolerance => Ok(shifted),
+            Ok(_) => Ok(Figure::Ellipsoid(self.ellipsoid)),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Both spheres, whatever the tolerance.
+    ///
+    /// # Errors
+    /// If the scene is none.
+    pub const fn figures(&self) -> Result<[Figure; 2], SceneError> {
+        if let Some(error) = self.fault() {
+            return Err(error);
+        }
+        let (a, b, band) = (
+            self.ellipsoid.a(),
+            smallest_axis(self.ellipsoid),
+            Band::new(self.latitudes),
+        );
+        let [low, high] = self.heights;
+        let (near, far) = (cos(band.flattest), cos(band.steepest));
+        let [h0, h1] = [support(a, b, near), support(a, b, far)];
+        let product = if band.flattest <= 45.0 && band.steepest >= 45.0 {
+            0.5
+        } else {
+            (near * root(1.0 - near * near)).max(far * root(1.0 - far * far))
+        };
+        let across = (a - b) * (a + b) * product / h1;
+        let [r0, r1] = [radius(a, b, near), radius(a, b, far)];
+        let e2 = (a - b) * (a + b) / (a * a);
+        let lean = low.abs().max(high.abs()) * e2 / (2.0 - e2);
+        // The cosines are up to 6e-8 too small; the rest is rounding.
+        let slack = 4e-7 * (a - b) + 1e-15 * (a + high);
+        Ok([
+            Figure::Sphere {
+                radius: 0.5 * (h0 + h1),
+                bound: hypot(0.5 * (h0 - h1), across) + slack,
+            },
+            Figure::Shifted {
+                radius: 0.5 * (r0 + r1),
+                ellipsoid: self.ellipsoid,
+                bound: 0.5 * (r0 - r1) + lean + slack,
+            },
+        ])
+    }
+}
+
+/// From the centre to the tangent plane, of the cosine of the latitude.
+const fn support(a: f64, b: f64, cos: f64) -> f64 {
+    root(b * b + (a - b) * (a + b) * cos * cos)
+}
+
+/// From the centre to the place.
+const fn radius(a: f64, b: f64, cos: f64) -> f64 {
+    let (x, z) = (a * a * cos, b * b * root(1.0 - cos * cos));
+    hypot(x, z) / support(a, b, cos)
+}
+
+impl Figure {
+    /// No place is farther from its own, in metres; rounding aside, 0 for the ellipsoid.
+    #[must_use]
+    pub const fn bound(&self) -> f64 {
+        match self {
+            Self::Sphere { bound, .. } | Self::Shifted { bound, .. } => *bound,
+            Self::Ellipsoid(_) => 0.0,
+        }
+    }
+
+    /// The ground, for what needs an ellipsoid.
+    #[must_use]
+    pub fn ground<T: Real>(&self) -> Ellipsoid<T> {
+        match self {
+            Self::Sphere { radius, .. } | Self::Shifted { radius, .. } => Ellipsoid::within(T::of(*radius), T::ZERO),
+            Self::Ellipsoid(ellipsoid) => ellipsoid.rounded(),
+        }
+    }
+
+    /// The step from latitude and longitude to the sphere: nothing, the geocentric shift, or that asked for.
+    ///
+    /// # Errors
+    /// None: the scene has refused what a shift could.
+    pub fn shifted<T: Real>(&self, shift: Shift) -> Result<Shifted<T>, UnsupportedFlattening<T>> {
+        match self {
+            Self::Sphere { .. } => Shifted::new(self.ground(), Shift::Geodetic),
+            Self::Shifted { ellipsoid, .. } => Shifted::new(ellipsoid.rounded(), Shift::Geocentric),
+            Self::Ellipsoid(ellipsoid) => Shifted::new(ellipsoid.rounded(), shift),
+        }
+    }
+}

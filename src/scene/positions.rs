@@ -1,0 +1,190 @@
+use core::marker::PhantomData;
+
+use super::band::{Band, DEGREE, cos, hypot, root, ulp};
+use super::bounds::{smallest, smallest_axis};
+use super::{Bound, Expansion, Scene, SceneError};
+use crate::{Ellipsoid, Enu, Geodetic, LocalFrame, Real};
+
+/// The models of positions about an origin, from the cheapest to the dearest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum View {
+    /// [`Expansion::first_order`].
+    Linear,
+    /// [`Expansion::second_order`].
+    Quadratic,
+    /// [`LocalFrame::geodetic_to_enu`].
+    Full,
+}
+
+impl View {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Linear, Self::Quadratic, Self::Full];
+}
+
+/// A scene's model of positions: from [`Scene::positions`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Positions<T> {
+    view: View,
+    bound: f64,
+    ellipsoid: Ellipsoid<f64>,
+    local: bool,
+    scalar: PhantomData<T>,
+}
+
+impl Scene {
+    /// The cheapest model of positions, as [`Enu`] of an origin in the scene, that keeps the tolerance in a scalar.
+    ///
+    /// For positions to r from the origin along the ellipsoid, heights over a range Δ and up to H from the ellipsoid, latitudes up to φ, t = tan φ and
+    /// q = (r/ρ)(1 + H/b), ρ = a(1 − f)², the errors are at most
+    ///
+    /// | model | error | where |
+    /// |---|---|---|
+    /// | linear | 1.1 q (ρ q √(t²/3 + 1/4) + Δ) | r ≤ 0.2 ρ, r tan φ ≤ 0.4 ρ |
+    /// | quadratic | 1.25 q² (ρ q (0.25 + 0.26 t²) + Δ √(t²/3 + 1/4)) | the same |
+    /// | full | none | |
+    ///
+    /// and rounding: the terms of the next order of the series, the largest over all azimuths, and room for the rest.
+    ///
+    /// # Errors
+    /// [`SceneError::OutOfReach`] with what the best model reaches in this scalar; the others if the scene is none.
+    ///
+    /// ```
+    /// use terrella::scene::{Positions, Scene, View};
+    /// use terrella::{Ellipsoid, Geodetic, LatLon};
+    /// const FIELD: Scene = Scene::around(Ellipsoid::WGS84, 47.4, 1000.0).up_to(1000.0).heights(400.0, 550.0).local().within(0.05);
+    /// let positions: Positions<f32> = FIELD.positions()?;
+    /// assert_eq!(positions.view(), View::Quadratic);
+    /// let about = positions.about(Geodetic::new(LatLon::new(47.4, 8.55)?, 430.0)?);
+    /// let drone = about.enu(Geodetic::new(LatLon::new(0.001, 0.002)?, 60.0)?);
+    /// assert!((drone.north - 111.192).abs() < 0.05);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub const fn positions<T: Real>(&self) -> Result<Positions<T>, SceneError> {
+        let mut best = f64::INFINITY;
+        let mut rest: &[View] = &View::ALL;
+        while let [view, dearer @ ..] = rest {
+            match self.positions_by(*view) {
+                Ok(positions) if positions.bound <= self.tolerance => return Ok(positions),
+                Ok(positions) => best = best.min(positions.bound),
+                Err(error) => return Err(error),
+            }
+            rest = dearer;
+        }
+        Err(SceneError::OutOfReach(Bound {
+            distance: best,
+            azimuth: f64::INFINITY,
+        }))
+    }
+
+    /// A model of positions, whatever the tolerance: its [`bound`](Positions::bound) in this scene, infinite where the model is none.
+    ///
+    /// # Errors
+    /// If the scene is none.
+    pub const fn positions_by<T: Real>(&self, view: View) -> Result<Positions<T>, SceneError> {
+        if let Some(error) = self.fault() {
+            return Err(error);
+        }
+        let [linear, quadratic] = self.truncation();
+        let truncation = match view {
+            View::Linear => linear,
+            View::Quadratic => quadratic,
+            View::Full if self.local => f64::INFINITY,
+            View::Full => 0.0,
+        };
+        Ok(Positions {
+            view,
+            bound: truncation + self.position_rounding(T::DIGITS < f64::MANTISSA_DIGITS),
+            ellipsoid: self.ellipsoid,
+            local: self.local,
+            scalar: PhantomData,
+        })
+    }
+
+    /// Of the first and the second order.
+    const fn truncation(&self) -> [f64; 2] {
+        let [_, far] = self.distances;
+        let [low, high] = self.heights;
+        let r = smallest(self.ellipsoid);
+        let tan2 = Band::new(self.latitudes).tan2();
+        let arc2 = far * far / (r * r);
+        if arc2 > 0.04 || arc2 * tan2 > 0.16 {
+            return [f64::INFINITY; 2];
+        }
+        let q = far / r * (1.0 + low.abs().max(high.abs()) / smallest_axis(self.ellipsoid));
+        let bend = root(tan2 / 3.0 + 0.25);
+        [
+            1.1 * q * (r * q * bend + (high - low)),
+            1.25 * q * q * (r * q * (0.25 + 0.26 * tan2) + (high - low) * bend),
+        ]
+    }
+
+    const fn position_rounding(&self, single: bool) -> f64 {
+        let [_, far] = self.distances;
+        let [low, high] = self.heights;
+        let (height, reach) = (low.abs().max(high.abs()), far + (high - low));
+        let band = Band::new(self.latitudes);
+        match (single, self.local) {
+            (false, _) => 2e-15 * reach,
+            // The origin's latitude is rounded, too, and with it the length of a degree of longitude.
+            (true, true) => 5e-7 * reach + 0.5 * ulp(band.steepest) * DEGREE * far * root(band.tan2()),
+            (true, false) => {
+                let angles = hypot(ulp(band.steepest), ulp(180.0) * cos(band.flattest));
+                (self.ellipsoid.a() + height) * DEGREE * angles + ulp(height) + 5e-7 * reach
+            }
+        }
+    }
+}
+
+impl<T: Real> Positions<T> {
+    /// The model.
+    #[must_use]
+    pub const fn view(&self) -> View {
+        self.view
+    }
+
+    /// What no error exceeds for positions of the scene: the length of the difference, metres.
+    #[must_use]
+    pub const fn bound(&self) -> f64 {
+        self.bound
+    }
+
+    /// The model about an origin in the scene.
+    #[must_use]
+    #[inline(always)]
+    pub fn about(&self, origin: Geodetic<T>) -> Views<T> {
+        let ellipsoid = self.ellipsoid.rounded();
+        let make = if self.local { Expansion::local } else { Expansion::new };
+        match self.view {
+            View::Linear => Views::Linear(make(ellipsoid, origin)),
+            View::Quadratic => Views::Quadratic(make(ellipsoid, origin)),
+            View::Full => Views::Full(LocalFrame::new(ellipsoid, origin)),
+        }
+    }
+}
+
+/// The model that a scene chose, about an origin: [`Positions::about`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Views<T> {
+    /// [`View::Linear`].
+    Linear(Expansion<T>),
+    /// [`View::Quadratic`].
+    Quadratic(Expansion<T>),
+    /// [`View::Full`].
+    Full(LocalFrame<T>),
+}
+
+impl<T: Real> Views<T> {
+    /// East, north and up of the origin; of a [local](Scene::local) scene the position is given as degrees and metres from there.
+    #[must_use]
+    #[inline(always)]
+    pub fn enu(&self, position: Geodetic<T>) -> Enu<T> {
+        match self {
+            Self::Linear(expansion) => expansion.first_order(position),
+            Self::Quadratic(expansion) => expansion.second_order(position),
+            Self::Full(frame) => frame.geodetic_to_enu(position),
+        }
+    }
+}

@@ -1,0 +1,142 @@
+use fastrand::Rng;
+use terrella::geodesic::{Geodesic, Inverse, Karney};
+use terrella::scene::{Distances, Method, Model};
+use terrella::{LatLon, Real};
+
+use crate::draw::{Drawn, double, median, power, turned};
+
+/// Places drawn in each scene, in pairs.
+const PAIRS: usize = 48;
+
+/// What the truth itself may be off on the Earth, in metres.
+const TRUTH: f64 = 1e-8;
+
+/// Two places, and the truth between them.
+type Pair = ([LatLon<f64>; 2], Inverse<f64>);
+
+/// The largest errors of distance and azimuths, the places given in the scalar, from an origin.
+fn seen<T: Real>(method: &Method<T>, pairs: &[Pair], origin: f64) -> [f64; 2] {
+    let place = |place: LatLon<f64>| LatLon::new(T::of(place.lat() - origin), T::of(place.lon())).unwrap();
+    pairs
+        .iter()
+        .fold([0.0, 0.0], |[distance, azimuth], ([from, to], truth)| {
+            let way = method.inverse(place(*from), place(*to)).unwrap();
+            [
+                distance.max((double(way.distance) - truth.distance).abs()),
+                azimuth
+                    .max(turned(double(way.azimuth1), truth.azimuth1))
+                    .max(turned(double(way.azimuth2), truth.azimuth2)),
+            ]
+        })
+}
+
+/// Every model in many scenes: no bound is exceeded, the median bound is less than four times the largest error, and where the error of a model is less than a
+/// quarter of a tolerance, no dearer one is taken in at least 95 of 100 scenes.
+fn hold<T: Real>(local: bool, scenes: usize) {
+    let mut rng = Rng::with_seed(1);
+    // Bound to largest error, of distances and azimuths.
+    let mut idle: [[Vec<f64>; 2]; Model::ALL.len()] = Default::default();
+    let (mut decided, mut dearer) = (0_u32, 0_u32);
+    for _ in 0..scenes {
+        let mut drawn = Drawn::any(&mut rng, 1e3);
+        let karney = Karney::new(drawn.ellipsoid).unwrap();
+        let pairs: Vec<Pair> = (0..PAIRS)
+            .filter_map(|_| drawn.pair(&karney, local, &mut rng))
+            .collect();
+        let origin = if local { 0.5 * (drawn.south + drawn.north) } else { 0.0 };
+        if local {
+            drawn.scene = drawn.scene.local();
+        }
+        let truth = TRUTH * drawn.ellipsoid.a() / 6.4e6;
+        let truths = [truth, truth / drawn.near];
+        let tolerance = power(&mut rng, -7.0, 3.0);
+        let taken = drawn.scene.within(tolerance).distances::<T>().map(|way| way.model());
+        let mut enough = None;
+        for model in Model::ALL {
+            let way: Distances<T> = drawn.scene.distances_by(model).unwrap();
+            let bound = [way.bound().distance, way.bound().azimuth];
+            if local && bound[0].is_infinite() {
+                continue;
+            }
+            let errors = seen(&way.method().unwrap(), &pairs, origin);
+            for k in 0..2 {
+                assert!(
+                    errors[k] <= bound[k] + truths[k],
+                    "{model:?} in {drawn:?}: {:e} of {:e}",
+                    errors[k],
+                    bound[k]
+                );
+                // Of what the truth can tell.
+                if bound[k].is_finite() && errors[k] > 10.0 * truths[k] {
+                    idle[model as usize][k].push(bound[k] / errors[k]);
+                }
+            }
+            if enough.is_none() && errors[0] + truth < 0.25 * tolerance {
+                enough = Some(model);
+            }
+        }
+        if let Some(enough) = enough {
+            decided += 1;
+            dearer += u32::from(taken.is_err() || taken.is_ok_and(|taken| taken > enough));
+        }
+    }
+    println!("{} digits{}", T::DIGITS, if local { ", local" } else { "" });
+    for (model, kinds) in Model::ALL.into_iter().zip(&mut idle) {
+        for (kind, ratios) in ["distances", "azimuths"].into_iter().zip(kinds) {
+            if ratios.len() > scenes / 20 {
+                let (middle, number) = (median(ratios), ratios.len());
+                println!(
+                    "{model:?}, {kind}: the bound is {middle:.2} times the largest error, at least {:.3}, in {number} scenes",
+                    ratios[0]
+                );
+            }
+        }
+    }
+    for kind in 0..2 {
+        let mut all: Vec<f64> = idle.iter().flat_map(|kinds| &kinds[kind]).copied().collect();
+        assert!(median(&mut all) < 4.0);
+    }
+    println!("dearer than needed: {dearer} of {decided}");
+    assert!(20 * dearer < decided);
+}
+
+#[test]
+fn no_bound_is_exceeded_or_idle_and_nothing_dearer_is_taken() {
+    hold::<f64>(false, 1000);
+    hold::<f32>(false, 1000);
+    hold::<f32>(true, 1000);
+}
+
+/// `cargo test --release --test scene -- --ignored --nocapture`
+#[test]
+#[ignore = "a million scenes of each kind"]
+fn a_million_scenes() {
+    hold::<f64>(false, 1_000_000);
+    hold::<f32>(false, 1_000_000);
+    hold::<f32>(true, 1_000_000);
+}
+
+/// A place reached is within the bound of the distance, and the distance times that of the azimuth.
+#[test]
+fn destinations_are_within_both_bounds() {
+    let mut rng = Rng::with_seed(2);
+    for _ in 0..1000 {
+        let drawn = Drawn::any(&mut rng, 1e3);
+        let karney = Karney::new(drawn.ellipsoid).unwrap();
+        let truth = TRUTH * drawn.ellipsoid.a() / 6.4e6;
+        for model in Model::ALL {
+            let way: Distances<f64> = drawn.scene.distances_by(model).unwrap();
+            let method = way.method().unwrap();
+            let bound = way.bound().distance + drawn.far * way.bound().azimuth;
+            for ([from, _], there) in (0..8).filter_map(|_| drawn.pair(&karney, false, &mut rng)) {
+                let reached = method.direct(from, there.azimuth1, there.distance).unwrap().position;
+                let to = karney.direct(from, there.azimuth1, there.distance).unwrap().position;
+                let off = karney.inverse(reached, to).unwrap().distance;
+                assert!(
+                    off <= bound + 2.0 * truth,
+                    "{model:?} in {drawn:?}: {off:e} of {bound:e}"
+                );
+            }
+        }
+    }
+}
