@@ -1,6 +1,6 @@
 //! The bounds of [`Scene::distances`](super::Scene::distances): its table of formulas, and the rounding.
 
-use super::band::{Band, DEGREE, cos, hypot, radii, root, ulp};
+use super::band::{Band, DEGREE, Parallel, e2, hypot, ulp};
 use super::{Bound, Model, Scene};
 use crate::Ellipsoid;
 
@@ -9,149 +9,151 @@ const PI: f64 = core::f64::consts::PI;
 /// What the formulas take of a scene.
 pub(super) struct Models {
     ellipsoid: Ellipsoid<f64>,
-    pub band: Band,
+    band: Band,
     near: f64,
     far: f64,
-    /// The radius of the sphere, in metres.
-    pub sphere: f64,
-    /// What its distances are off, relative.
-    stretch: f64,
     single: bool,
     local: bool,
     /// Both places moved to the nearest numbers: metres.
     input: f64,
+    /// The tangent of the farthest latitude.
+    tan: f64,
+    /// The farthest distance over the smallest radius of curvature.
+    arc: f64,
 }
-
-const NONE: Bound = Bound::both(f64::INFINITY);
 
 impl Models {
     pub const fn of(scene: &Scene, single: bool) -> Self {
         let (ellipsoid, band, [near, far]) = (scene.ellipsoid, Band::new(scene.latitudes), scene.distances);
-        let a = ellipsoid.a();
-        let excursion = 0.5 * far / (smallest(ellipsoid) * DEGREE);
-        let [m, _] = radii(ellipsoid, band.flattest);
-        let [_, n] = radii(ellipsoid, (band.steepest + excursion).min(90.0));
+        let (a, tan) = (ellipsoid.a(), band.tan());
         let input = if !single {
             0.0
         } else if scene.local {
             // The middle latitude is rounded, too, and with it the length of a degree of longitude.
-            let middle = 0.5 * ulp(band.steepest) * DEGREE * root(band.tan2());
+            let middle = 0.5 * ulp(band.steepest.degrees) * DEGREE * tan;
             hypot(a * band.half, far) * f32::EPSILON as f64 + far * middle
         } else {
-            a * DEGREE * hypot(ulp(band.steepest), ulp(180.0) * cos(band.flattest))
+            a * DEGREE * hypot(ulp(band.steepest.degrees), ulp(180.0) * (band.flattest.cos + 1e-7))
         };
         Self {
             ellipsoid,
             band,
             near,
             far,
-            sphere: 0.5 * (m + n),
-            stretch: 0.5 * (n - m) / m,
             single,
             local: scene.local,
             input,
+            tan,
+            arc: far / smallest(ellipsoid),
         }
+    }
+
+    /// The sphere's radius in metres, and how far its distances are off, relative.
+    pub const fn sphere(&self) -> [f64; 2] {
+        let excursion = 0.5 * self.arc / DEGREE;
+        let m = self.band.flattest.along(self.ellipsoid);
+        let n = Parallel::new((self.band.steepest.degrees + excursion).min(90.0)).across(self.ellipsoid);
+        [0.5 * (m + n), 0.5 * (n - m) / m]
     }
 
     pub const fn bound(&self, model: Model) -> Bound {
-        if self.local && !matches!(model, Model::Plane) {
-            return NONE;
+        Bound {
+            distance: self.distance(model),
+            azimuth: self.azimuth(model),
         }
+    }
+
+    pub const fn distance(&self, model: Model) -> f64 {
+        let (s, f, size) = (self.far, self.ellipsoid.f(), self.ellipsoid.a() / 6_378_137.0);
         let truncation = match model {
-            Model::Plane => self.plane(),
+            _ if !self.holds(model) => f64::INFINITY,
+            Model::Plane => self.flat() + s * self.bent(),
             Model::Flat => self.flat(),
-            Model::Sphere => self.sphere(),
-            Model::Andoyer => self.andoyer(),
-            Model::Vincenty | Model::Karney => Bound::both(0.0),
+            Model::Sphere => {
+                let [_, off] = self.sphere();
+                off * s
+            }
+            Model::Andoyer => {
+                let [sigma, beyond, short] = self.angle();
+                let a = self.ellipsoid.a();
+                (1.2 * a * f * f * (0.125 * sigma + 1.08 * beyond / short)).min(2.0 * a * f)
+            }
+            Model::Vincenty | Model::Karney => 0.0,
         };
-        let rounding = self.rounding(model);
-        Bound {
-            distance: truncation.distance + rounding.distance,
-            azimuth: truncation.azimuth + rounding.azimuth,
-        }
-    }
-
-    const fn flat(&self) -> Bound {
-        let (s, r) = (self.far, smallest(self.ellipsoid));
-        let (tan2, arc2) = (self.band.tan2(), s * s / (r * r));
-        if arc2 > 0.25 || arc2 * tan2 > 0.25 {
-            return NONE;
-        }
-        Bound {
-            distance: 1.25 / 24.0 * s * arc2 * (0.26 + 1.13 * tan2),
-            azimuth: 1.25 * arc2 * (0.033 + 0.027 * tan2),
-        }
-    }
-
-    const fn plane(&self) -> Bound {
-        let (flat, half) = (self.flat(), self.band.half);
-        if half > 0.3 || flat.distance == f64::INFINITY {
-            return NONE;
-        }
-        let tan = root(self.band.tan2());
-        let e2 = self.ellipsoid.f() * (2.0 - self.ellipsoid.f());
-        let cube = half * half * half;
-        let off = 1.1 / 6.0 * cube * (tan + 6.0 * e2 + 0.25 * half);
-        Bound {
-            distance: flat.distance + self.far * off,
-            azimuth: flat.azimuth + off + self.far / smallest(self.ellipsoid) * cube / 12.0,
-        }
-    }
-
-    const fn sphere(&self) -> Bound {
-        let [_, beyond, short] = self.arc();
-        let cos = cos(self.band.flattest) + 1e-7;
-        Bound {
-            distance: self.stretch * self.far,
-            azimuth: (1.2 * self.ellipsoid.f() * cos * cos * (1.0 + 1.45 * beyond * beyond / short)).min(PI),
-        }
-    }
-
-    const fn andoyer(&self) -> Bound {
-        let (a, f) = (self.ellipsoid.a(), self.ellipsoid.f());
-        let [sigma, beyond, short] = self.arc();
-        let turn = sigma / (PI * short);
-        Bound {
-            distance: (1.2 * a * f * f * (0.125 * sigma + 1.08 * beyond / short)).min(2.0 * a * f),
-            azimuth: (1.2 * f * f * (0.33 + 2.9 * turn * turn)).min(PI),
-        }
-    }
-
-    /// σ, how far it is past a right angle in right angles, and what it lacks to π.
-    const fn arc(&self) -> [f64; 3] {
-        let sigma = (self.far / smallest_axis(self.ellipsoid)).min(PI);
-        [sigma, (2.0 / PI * sigma - 1.0).max(0.0), PI - sigma]
-    }
-
-    const fn rounding(&self, model: Model) -> Bound {
-        let (s, size, f) = (self.far, self.ellipsoid.a() / 6_378_137.0, self.ellipsoid.f());
-        // 4·10⁻⁵ m at f = 1/60, of the fifth order.
-        let flat = 60.0 * f;
-        let series = size * (4e-5 * (flat * flat * flat * flat * flat)).max(2e-8);
-        let distance = match (self.single, model) {
+        let rounding = match (self.single, model) {
             (false, Model::Plane | Model::Flat | Model::Sphere) => 2e-15 * s,
             (false, Model::Andoyer) => 2e-15 * s + 3e-9 * size,
-            (false, Model::Vincenty) => series,
+            (false, Model::Vincenty) => size * vincenty(f),
             (false, Model::Karney) if f <= 1.0 / 150.0 => 7e-9 * size,
             (false, Model::Karney) => 1.2e-8 * size,
             (true, Model::Plane | Model::Flat | Model::Sphere | Model::Andoyer) => 7e-7 * s,
             (true, Model::Vincenty) => (1e-6 * s).min(7.0 * size),
             (true, Model::Karney) => (1e-6 * s).min(1.5e-7 * s + 3.0 * size),
         };
+        truncation + rounding + self.input
+    }
+
+    pub const fn azimuth(&self, model: Model) -> f64 {
+        let (f, size) = (self.ellipsoid.f(), self.ellipsoid.a() / 6_378_137.0);
+        let turned = 1.25 * self.arc * self.arc * (0.033 + 0.027 * self.tan * self.tan);
+        let truncation = match model {
+            _ if !self.holds(model) => f64::INFINITY,
+            Model::Plane => {
+                let half = self.band.half;
+                turned + self.bent() + self.arc * half * half * half / 12.0
+            }
+            Model::Flat => turned,
+            Model::Sphere => {
+                let [_, beyond, short] = self.angle();
+                let cos = self.band.flattest.cos + 1e-7;
+                (1.2 * f * cos * cos * (1.0 + 1.45 * beyond * beyond / short)).min(PI)
+            }
+            Model::Andoyer => {
+                let [sigma, _, short] = self.angle();
+                let turn = sigma / (PI * short);
+                (1.2 * f * f * (0.33 + 2.9 * turn * turn)).min(PI)
+            }
+            Model::Vincenty | Model::Karney => 0.0,
+        };
         // What is off across the line turns it by so much of its reduced length.
         let across = match (self.single, model) {
             (false, Model::Plane | Model::Flat | Model::Sphere) => 0.0,
             (false, Model::Andoyer | Model::Karney) => 1.5e-8 * size,
-            (false, Model::Vincenty) => series,
+            (false, Model::Vincenty) => size * vincenty(f),
             (true, _) => self.input,
         };
-        let unit = if self.single { 1e-6 } else { 2e-15 };
-        Bound {
-            distance: distance + self.input,
-            azimuth: self
-                .turn(self.near, unit, across)
-                .max(self.turn(self.far, unit, across)),
+        let relative = if self.single { 1e-6 } else { 2e-15 };
+        truncation
+            + self
+                .turn(self.near, relative, across)
+                .max(self.turn(self.far, relative, across))
+    }
+
+    /// Whether the model is one at all.
+    const fn holds(&self, model: Model) -> bool {
+        let lean = self.arc * self.tan;
+        match model {
+            Model::Plane => self.arc <= 0.5 && lean <= 0.5 && self.band.half <= 0.3,
+            _ if self.local => false,
+            Model::Flat => self.arc <= 0.5 && lean <= 0.5,
+            _ => true,
         }
+    }
+
+    const fn flat(&self) -> f64 {
+        1.25 / 24.0 * self.far * self.arc * self.arc * (0.26 + 1.13 * self.tan * self.tan)
+    }
+
+    /// How far a scale that is a polynomial of latitude is off, relative.
+    const fn bent(&self) -> f64 {
+        let half = self.band.half;
+        1.1 / 6.0 * half * half * half * (self.tan + 6.0 * e2(self.ellipsoid) + 0.25 * half)
+    }
+
+    /// σ, how far it is past a right angle in right angles, and what it lacks to π.
+    const fn angle(&self) -> [f64; 3] {
+        let sigma = (self.far / smallest_axis(self.ellipsoid)).min(PI);
+        [sigma, (2.0 / PI * sigma - 1.0).max(0.0), PI - sigma]
     }
 
     /// An azimuth's error between places a distance apart, of a relative one and one in metres: over the reduced length, which is at least (s/π)(π − 2πf − s/b)(1 − 2f).
@@ -165,6 +167,12 @@ impl Models {
             off / share
         }
     }
+}
+
+/// The series' error on an ellipsoid of the Earth's size: 4·10⁻⁵ m at f = 1/60, of the fifth order.
+const fn vincenty(f: f64) -> f64 {
+    let part = 60.0 * f;
+    (4e-5 * (part * part * part * part * part)).max(2e-8)
 }
 
 /// The smallest radius of curvature, b²/a.

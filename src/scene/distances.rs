@@ -1,21 +1,17 @@
 use core::marker::PhantomData;
 
 use super::bounds::Models;
-use super::{Bound, Method, Model, Scene, SceneError};
+use super::{AnyModel, Bound, Model, Scene, SceneError};
 use crate::geodesic::{Andoyer, Flat, GreatCircle, Karney, Plane, Vincenty};
 use crate::latitude::UnsupportedFlattening;
-use crate::{Ellipsoid, LatLon, Real};
+use crate::{LatLon, Real};
 
 /// A scene's model of distances and azimuths: from [`Scene::distances`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Distances<T> {
     model: Model,
-    bound: Bound,
-    ellipsoid: Ellipsoid<f64>,
-    radius: f64,
-    latitude: f64,
-    local: bool,
+    scene: Scene,
     scalar: PhantomData<T>,
 }
 
@@ -51,17 +47,24 @@ impl Scene {
     /// assert!(matches!(model(1e-10), Err(SceneError::OutOfReach(reached)) if reached.distance < 2e-8));
     /// ```
     pub const fn distances<T: Real>(&self) -> Result<Distances<T>, SceneError> {
-        let mut best = Bound::both(f64::INFINITY);
+        if let Some(error) = self.fault() {
+            return Err(error);
+        }
+        let models = Models::of(self, T::DIGITS < f64::MANTISSA_DIGITS);
+        let free = self.azimuth == f64::INFINITY;
+        let (mut best, mut least) = (Model::Plane, f64::INFINITY);
         let mut rest: &[Model] = &Model::ALL;
         while let [model, dearer @ ..] = rest {
-            match self.distances_by(*model) {
-                Ok(way) if way.bound.distance <= self.tolerance && way.bound.azimuth <= self.azimuth => return Ok(way),
-                Ok(way) => best = best.least(way.bound),
-                Err(error) => return Err(error),
+            let distance = models.distance(*model);
+            if distance <= self.tolerance && (free || models.azimuth(*model) <= self.azimuth) {
+                return Ok(Distances::of(*model, *self));
+            }
+            if distance < least {
+                (best, least) = (*model, distance);
             }
             rest = dearer;
         }
-        Err(SceneError::OutOfReach(best))
+        Err(SceneError::OutOfReach(models.bound(best)))
     }
 
     /// A model of distances and azimuths, whatever the tolerances: its [`bound`](Distances::bound) in this scene, infinite where the model is none.
@@ -74,27 +77,30 @@ impl Scene {
     /// use terrella::scene::{Distances, Model, Scene};
     /// let tropics = Scene::new(Ellipsoid::WGS84).latitudes(-23.4, 23.4).up_to(1e6);
     /// let sphere: Distances<f64> = tropics.distances_by(Model::Sphere)?;
-    /// assert!((sphere.bound().distance - 3909.0).abs() < 1.0);
+    /// assert!((sphere.bound().distance - 3740.0).abs() < 1.0);
     /// # Ok::<(), terrella::scene::SceneError>(())
     /// ```
     pub const fn distances_by<T: Real>(&self, model: Model) -> Result<Distances<T>, SceneError> {
         if let Some(error) = self.fault() {
             return Err(error);
         }
-        let models = Models::of(self, T::DIGITS < f64::MANTISSA_DIGITS);
-        Ok(Distances {
-            model,
-            bound: models.bound(model),
-            ellipsoid: self.ellipsoid,
-            radius: models.sphere,
-            latitude: models.band.middle,
-            local: self.local,
-            scalar: PhantomData,
-        })
+        Ok(Distances::of(model, *self))
     }
 }
 
 impl<T: Real> Distances<T> {
+    const fn of(model: Model, scene: Scene) -> Self {
+        Self {
+            model,
+            scene,
+            scalar: PhantomData,
+        }
+    }
+
+    const fn models(&self) -> Models {
+        Models::of(&self.scene, T::DIGITS < f64::MANTISSA_DIGITS)
+    }
+
     /// The model.
     #[must_use]
     pub const fn model(&self) -> Model {
@@ -104,7 +110,7 @@ impl<T: Real> Distances<T> {
     /// What no error exceeds between places of the scene.
     #[must_use]
     pub const fn bound(&self) -> Bound {
-        self.bound
+        self.models().bound(self.model)
     }
 
     /// The model, ready.
@@ -112,21 +118,25 @@ impl<T: Real> Distances<T> {
     /// # Errors
     /// None: what a model could refuse, the scene has refused.
     #[inline(always)]
-    pub fn method(&self) -> Result<Method<T>, UnsupportedFlattening<T>> {
-        let ellipsoid = self.ellipsoid.rounded();
+    pub fn method(&self) -> Result<AnyModel<T>, UnsupportedFlattening<T>> {
+        let ellipsoid = self.scene.ellipsoid.rounded();
         match self.model {
             Model::Plane => {
-                let place = LatLon::within(T::of(self.latitude), T::ZERO);
-                let make = if self.local { Plane::local } else { Plane::new };
-                make(ellipsoid, place).map(Method::Plane)
+                let [south, north] = self.scene.latitudes;
+                let place = LatLon::within(T::of(0.5 * (south + north)), T::ZERO);
+                let make = if self.scene.local { Plane::local } else { Plane::new };
+                make(ellipsoid, place).map(AnyModel::Plane)
             }
-            Model::Flat => Flat::new(ellipsoid).map(Method::Flat),
-            Model::Sphere => GreatCircle::new(T::of(self.radius))
-                .map(Method::Sphere)
-                .map_err(|_| UnsupportedFlattening(ellipsoid.f())),
-            Model::Andoyer => Andoyer::new(ellipsoid).map(Method::Andoyer),
-            Model::Vincenty => Vincenty::new(ellipsoid).map(Method::Vincenty),
-            Model::Karney => Karney::new(ellipsoid).map(Method::Karney),
+            Model::Flat => Flat::new(ellipsoid).map(AnyModel::Flat),
+            Model::Sphere => {
+                let [radius, _] = self.models().sphere();
+                GreatCircle::new(T::of(radius))
+                    .map(AnyModel::Sphere)
+                    .map_err(|_| UnsupportedFlattening(ellipsoid.f()))
+            }
+            Model::Andoyer => Andoyer::new(ellipsoid).map(AnyModel::Andoyer),
+            Model::Vincenty => Vincenty::new(ellipsoid).map(AnyModel::Vincenty),
+            Model::Karney => Karney::new(ellipsoid).map(AnyModel::Karney),
         }
     }
 }

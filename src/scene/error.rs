@@ -16,7 +16,7 @@ pub enum SceneError {
     Heights([f64; 2]),
     /// A tolerance that is negative or not a number.
     Tolerance(f64),
-    /// No model is good enough. This is what the best of them reaches.
+    /// No model is good enough. This is what the one of the smallest error of distances or positions reaches.
     OutOfReach(Bound),
 }
 

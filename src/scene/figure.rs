@@ -1,5 +1,4 @@
-use super::band::{Band, cos, hypot, root};
-use super::bounds::smallest_axis;
+use super::band::{Band, e2, root};
 use super::{Scene, SceneError};
 use crate::latitude::{Shift, Shifted, UnsupportedFlattening};
 use crate::{Ellipsoid, Real};
@@ -65,29 +64,24 @@ impl Scene {
         if let Some(error) = self.fault() {
             return Err(error);
         }
-        let (a, b, band) = (
-            self.ellipsoid.a(),
-            smallest_axis(self.ellipsoid),
-            Band::new(self.latitudes),
-        );
+        let (ellipsoid, Band { steepest, flattest, .. }) = (self.ellipsoid, Band::new(self.latitudes));
         let [low, high] = self.heights;
-        let (near, far) = (cos(band.flattest), cos(band.steepest));
-        let [h0, h1] = [support(a, b, near), support(a, b, far)];
-        let product = if band.flattest <= 45.0 && band.steepest >= 45.0 {
+        let (a, squeeze) = (ellipsoid.a(), e2(ellipsoid));
+        let [h0, h1] = [flattest.support(ellipsoid), steepest.support(ellipsoid)];
+        let product = if flattest.degrees <= 45.0 && steepest.degrees >= 45.0 {
             0.5
         } else {
-            (near * root(1.0 - near * near)).max(far * root(1.0 - far * far))
+            (flattest.sin * flattest.cos).max(steepest.sin * steepest.cos)
         };
-        let across = (a - b) * (a + b) * product / h1;
-        let [r0, r1] = [radius(a, b, near), radius(a, b, far)];
-        let e2 = (a - b) * (a + b) / (a * a);
-        let lean = low.abs().max(high.abs()) * e2 / (2.0 - e2);
-        // The cosines are up to 6e-8 too small; the rest is rounding.
-        let slack = 4e-7 * (a - b) + 1e-15 * (a + high);
+        let (up, across) = (0.5 * (h0 - h1), a * a * squeeze * product / h1);
+        let [r0, r1] = [flattest.radius(ellipsoid), steepest.radius(ellipsoid)];
+        let lean = low.abs().max(high.abs()) * squeeze / (2.0 - squeeze);
+        // Sines and cosines are up to 6e-8 too small, roots up to 1e-11 off.
+        let slack = a * (4e-7 * squeeze + 2e-11);
         Ok([
             Figure::Sphere {
                 radius: 0.5 * (h0 + h1),
-                bound: hypot(0.5 * (h0 - h1), across) + slack,
+                bound: root(up * up + across * across) + slack,
             },
             Figure::Shifted {
                 radius: 0.5 * (r0 + r1),
@@ -96,17 +90,6 @@ impl Scene {
             },
         ])
     }
-}
-
-/// From the centre to the tangent plane, of the cosine of the latitude.
-const fn support(a: f64, b: f64, cos: f64) -> f64 {
-    root(b * b + (a - b) * (a + b) * cos * cos)
-}
-
-/// From the centre to the place.
-const fn radius(a: f64, b: f64, cos: f64) -> f64 {
-    let (x, z) = (a * a * cos, b * b * root(1.0 - cos * cos));
-    hypot(x, z) / support(a, b, cos)
 }
 
 impl Figure {

@@ -11,23 +11,6 @@ pub struct Bound {
     pub azimuth: f64,
 }
 
-impl Bound {
-    pub(super) const fn both(error: f64) -> Self {
-        Self {
-            distance: error,
-            azimuth: error,
-        }
-    }
-
-    /// The smaller of each.
-    pub(super) const fn least(self, other: Self) -> Self {
-        Self {
-            distance: self.distance.min(other.distance),
-            azimuth: self.azimuth.min(other.azimuth),
-        }
-    }
-}
-
 /// The models of distances and azimuths, from the cheapest to the dearest.
 ///
 /// [`Haversine`](crate::geodesic::Haversine), [`Bowring`](crate::geodesic::Bowring) and [`AndoyerSecond`](crate::geodesic::AndoyerSecond) are not among them: each takes more instructions than one that
@@ -77,7 +60,7 @@ impl Model {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[allow(clippy::large_enum_variant)] // nothing here allocates
-pub enum Method<T> {
+pub enum AnyModel<T> {
     /// [`Model::Plane`].
     Plane(Plane<T>),
     /// [`Model::Flat`].
@@ -92,7 +75,7 @@ pub enum Method<T> {
     Karney(Karney<T>),
 }
 
-impl<T: Real> Geodesic<T> for Method<T> {
+impl<T: Real> Geodesic<T> for AnyModel<T> {
     #[inline(always)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         match self {

@@ -1,9 +1,9 @@
 use core::marker::PhantomData;
 
-use super::band::{Band, DEGREE, cos, hypot, root, ulp};
+use super::band::{Band, DEGREE, hypot, root, ulp};
 use super::bounds::{smallest, smallest_axis};
 use super::{Bound, Expansion, Scene, SceneError};
-use crate::{Ellipsoid, Enu, Geodetic, LocalFrame, Real};
+use crate::{Enu, Geodetic, LocalFrame, Real};
 
 /// The models of positions about an origin, from the cheapest to the dearest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -28,8 +28,7 @@ impl View {
 pub struct Positions<T> {
     view: View,
     bound: f64,
-    ellipsoid: Ellipsoid<f64>,
-    local: bool,
+    scene: Scene,
     scalar: PhantomData<T>,
 }
 
@@ -58,7 +57,7 @@ impl Scene {
     /// assert_eq!(positions.view(), View::Quadratic);
     /// let about = positions.about(Geodetic::new(LatLon::new(47.4, 8.55)?, 430.0)?);
     /// let drone = about.enu(Geodetic::new(LatLon::new(0.001, 0.002)?, 60.0)?);
-    /// assert!((drone.north - 111.192).abs() < 0.05);
+    /// assert!((drone.north - 111.189).abs() < 0.05);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub const fn positions<T: Real>(&self) -> Result<Positions<T>, SceneError> {
@@ -96,8 +95,7 @@ impl Scene {
         Ok(Positions {
             view,
             bound: truncation + self.position_rounding(T::DIGITS < f64::MANTISSA_DIGITS),
-            ellipsoid: self.ellipsoid,
-            local: self.local,
+            scene: *self,
             scalar: PhantomData,
         })
     }
@@ -107,12 +105,12 @@ impl Scene {
         let [_, far] = self.distances;
         let [low, high] = self.heights;
         let r = smallest(self.ellipsoid);
-        let tan2 = Band::new(self.latitudes).tan2();
-        let arc2 = far * far / (r * r);
+        let (tan, arc) = (Band::new(self.latitudes).tan(), far / r);
+        let (tan2, arc2) = (tan * tan, arc * arc);
         if arc2 > 0.04 || arc2 * tan2 > 0.16 {
             return [f64::INFINITY; 2];
         }
-        let q = far / r * (1.0 + low.abs().max(high.abs()) / smallest_axis(self.ellipsoid));
+        let q = arc * (1.0 + low.abs().max(high.abs()) / smallest_axis(self.ellipsoid));
         let bend = root(tan2 / 3.0 + 0.25);
         [
             1.1 * q * (r * q * bend + (high - low)),
@@ -128,9 +126,9 @@ impl Scene {
         match (single, self.local) {
             (false, _) => 2e-15 * reach,
             // The origin's latitude is rounded, too, and with it the length of a degree of longitude.
-            (true, true) => 5e-7 * reach + 0.5 * ulp(band.steepest) * DEGREE * far * root(band.tan2()),
+            (true, true) => 5e-7 * reach + 0.5 * ulp(band.steepest.degrees) * DEGREE * far * band.tan(),
             (true, false) => {
-                let angles = hypot(ulp(band.steepest), ulp(180.0) * cos(band.flattest));
+                let angles = hypot(ulp(band.steepest.degrees), ulp(180.0) * (band.flattest.cos + 1e-7));
                 (self.ellipsoid.a() + height) * DEGREE * angles + ulp(height) + 5e-7 * reach
             }
         }
@@ -153,13 +151,17 @@ impl<T: Real> Positions<T> {
     /// The model about an origin in the scene.
     #[must_use]
     #[inline(always)]
-    pub fn about(&self, origin: Geodetic<T>) -> Views<T> {
-        let ellipsoid = self.ellipsoid.rounded();
-        let make = if self.local { Expansion::local } else { Expansion::new };
+    pub fn about(&self, origin: Geodetic<T>) -> AnyView<T> {
+        let ellipsoid = self.scene.ellipsoid.rounded();
+        let make = if self.scene.local {
+            Expansion::local
+        } else {
+            Expansion::new
+        };
         match self.view {
-            View::Linear => Views::Linear(make(ellipsoid, origin)),
-            View::Quadratic => Views::Quadratic(make(ellipsoid, origin)),
-            View::Full => Views::Full(LocalFrame::new(ellipsoid, origin)),
+            View::Linear => AnyView::Linear(make(ellipsoid, origin)),
+            View::Quadratic => AnyView::Quadratic(make(ellipsoid, origin)),
+            View::Full => AnyView::Full(LocalFrame::new(ellipsoid, origin)),
         }
     }
 }
@@ -167,7 +169,7 @@ impl<T: Real> Positions<T> {
 /// The model that a scene chose, about an origin: [`Positions::about`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Views<T> {
+pub enum AnyView<T> {
     /// [`View::Linear`].
     Linear(Expansion<T>),
     /// [`View::Quadratic`].
@@ -176,7 +178,7 @@ pub enum Views<T> {
     Full(LocalFrame<T>),
 }
 
-impl<T: Real> Views<T> {
+impl<T: Real> AnyView<T> {
     /// East, north and up of the origin; of a [local](Scene::local) scene the position is given as degrees and metres from there.
     #[must_use]
     #[inline(always)]

@@ -107,13 +107,16 @@ impl Scene {
 
     const fn coarsest(&self, law: Law, height: f64) -> Option<u8> {
         let a = self.ellipsoid.a();
-        let mut level = 0;
-        while level <= Tile::MAX_LEVEL {
+        // The first level that holds, and one past the last.
+        let (mut first, mut past) = (0, Tile::MAX_LEVEL + 1);
+        while first < past {
+            let level = (first + past) / 2;
             if (a + height) * law.at(level) + 4e-15 * a <= self.tolerance {
-                return Some(level);
+                past = level;
+            } else {
+                first = level + 1;
             }
-            level += 1;
         }
-        None
+        if first > Tile::MAX_LEVEL { None } else { Some(first) }
     }
 }

@@ -1,6 +1,6 @@
 use fastrand::Rng;
 use terrella::geodesic::{Geodesic, Inverse, Karney};
-use terrella::scene::{Distances, Method, Model};
+use terrella::scene::{AnyModel, Distances, Model};
 use terrella::{LatLon, Real};
 
 use crate::draw::{Drawn, double, median, power, turned};
@@ -15,7 +15,7 @@ const TRUTH: f64 = 1e-8;
 type Pair = ([LatLon<f64>; 2], Inverse<f64>);
 
 /// The largest errors of distance and azimuths, the places given in the scalar, from an origin.
-fn seen<T: Real>(method: &Method<T>, pairs: &[Pair], origin: f64) -> [f64; 2] {
+fn seen<T: Real>(method: &AnyModel<T>, pairs: &[Pair], origin: f64) -> [f64; 2] {
     let place = |place: LatLon<f64>| LatLon::new(T::of(place.lat() - origin), T::of(place.lon())).unwrap();
     pairs
         .iter()

@@ -1,5 +1,7 @@
-use terrella::geodesic::{AnyMethod, Area, Geodesic, GreatCircle, Karney, Method};
-use terrella::{Ellipsoid, Real};
+use terrella::cube::Projection;
+use terrella::geodesic::{AnyMethod, Area, Geodesic, GreatCircle, Karney, Method, Plane};
+use terrella::scene::Scene;
+use terrella::{Ellipsoid, LatLon, Real};
 
 use crate::points::{Pair, Points};
 use crate::sweep::Sweep;
@@ -42,6 +44,29 @@ pub fn methods<T: Real>(sweep: Sweep, points: &Points<T>) {
             }
         }
     }
+}
+
+/// The flat model about a place, and what it costs to choose it.
+pub fn scene<T: Real>(sweep: Sweep, points: &Points<T>) {
+    let origin = LatLon::new(T::of(47.4), T::of(8.5)).unwrap();
+    both(
+        sweep,
+        Plane::new(Ellipsoid::wgs84(), origin).unwrap(),
+        "plane",
+        &points.short,
+    );
+    let scenes: Vec<_> = points
+        .units
+        .iter()
+        .map(|&[x, y]| {
+            let [lat, size] = [x, y].map(|unit| unit.to_string().parse::<f64>().unwrap());
+            Scene::around(Ellipsoid::WGS84, 80.0 * lat, 1e5 * (1.1 + size)).within(1e-3)
+        })
+        .collect();
+    sweep.count("Scene::distances", &scenes, |scene| scene.distances::<T>());
+    sweep.count("Scene::positions", &scenes, |scene| scene.positions::<T>());
+    sweep.count("Scene::figure", &scenes, |scene| scene.figure());
+    sweep.count("Scene::tiles", &scenes, |scene| scene.tiles(Projection::Adjusted));
 }
 
 pub fn great_circle<T: Real>(sweep: Sweep, points: &Points<T>) {

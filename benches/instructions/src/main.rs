@@ -21,6 +21,7 @@ fn every<T: Real>() {
     cube::projections(sweep, &points);
     cube::distortion(sweep, &points);
     geodesic::methods(sweep, &points);
+    geodesic::scene(sweep, &points);
     geodesic::great_circle(sweep, &points);
     geodesic::karney(sweep, &points);
 }

@@ -16,6 +16,7 @@ mod geodesic;
 mod latitude;
 mod math;
 mod position;
+mod scene;
 #[cfg(feature = "terrain")]
 mod terrain;
 
@@ -151,6 +152,7 @@ pub fn every_in<T: Scalar, V: Visitor>(visitor: &mut V) {
     distortion::show::<T, V>(visitor);
     geodesic::show::<T, V>(visitor);
     batch::show::<T, V>(visitor);
+    scene::show::<T, V>(visitor);
     #[cfg(feature = "terrain")]
     terrain::show::<T, V>(visitor);
 }

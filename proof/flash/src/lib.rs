@@ -9,9 +9,10 @@ use terrella::cube::{self, CubeMap, CubeProjection, FacePoint};
 use terrella::distortion::{Ground, Jacobian, Singular};
 use terrella::geodesic::{
     Andoyer, AndoyerSecond, Bowring, Direct, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Inverse, Karney,
-    Vincenty,
+    Plane, Vincenty,
 };
 use terrella::latitude::UnsupportedFlattening;
+use terrella::scene::{Distances, Positions, Scene};
 use terrella::{
     Direction, Ecef, Ellipsoid, Enu, Geodetic, InvalidDirection, InvalidLatLon, LatLon, LocalFrame, Shift, math,
 };
@@ -109,6 +110,7 @@ mod methods {
         haversine_inverse haversine_direct Haversine;
         great_circle_inverse great_circle_direct GreatCircle;
         flat_inverse flat_direct Flat;
+        plane_inverse plane_direct Plane;
         bowring_inverse bowring_direct Bowring;
         andoyer_inverse andoyer_direct Andoyer;
         andoyer_second_inverse andoyer_second_direct AndoyerSecond;
@@ -169,4 +171,31 @@ functions! {
         let place = |[lat, lon, height]: [T; 3]| Geodetic::new(LatLon::new(lat, lon).ok()?, height).ok();
         Some(LocalFrame::new(Ellipsoid::wgs84(), place(*from)?).geodetic_to_enu(place(*to)?))
     }
+    // A kilometre to five centimetres: the compiler chooses, and links no more than was chosen.
+    scene_field_distance(from: &LatLon<T>, to: &LatLon<T>) -> Option<T> {
+        const WAY: Distances<T> = match FIELD.within(0.05).distances() {
+            Ok(way) => way,
+            Err(_) => panic!(),
+        };
+        Some(WAY.method().ok()?.inverse(*from, *to).ok()?.distance)
+    }
+    plane_distance_from_place(place: &LatLon<T>, from: &LatLon<T>, to: &LatLon<T>) -> Option<T> {
+        Some(Plane::local(Ellipsoid::wgs84(), *place).ok()?.inverse(*from, *to).ok()?.distance)
+    }
+    scene_field_position(origin: &Geodetic<T>, position: &Geodetic<T>) -> Enu<T> {
+        const SEEN: Positions<T> = match FIELD.within(0.05).positions() {
+            Ok(positions) => positions,
+            Err(_) => panic!(),
+        };
+        SEEN.about(*origin).enu(*position)
+    }
+}
+
+const FIELD: Scene = Scene::around(Ellipsoid::WGS84, 47.4, 1000.0).local();
+
+/// Any scene, asked at run time: what has to be linked then.
+#[unsafe(export_name = "scene_any_distance_f64")]
+pub fn scene_any_distance(scene: &Scene, from: &LatLon<f64>, to: &LatLon<f64>) -> Option<f64> {
+    let way: Distances<f64> = scene.distances().ok()?;
+    Some(way.method().ok()?.inverse(*from, *to).ok()?.distance)
 }
