@@ -19,7 +19,7 @@
 //! | [`LocalFrame`] | east, north, up about an origin; [`Enu`], [`Ned`], [`Aer`] |
 //! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from ellipsoid to sphere |
 //! | [`cube`] | faces, points on them, sixteen projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
-//! | [`geodesic`] | distances, azimuths, destinations and areas: eight methods behind one trait |
+//! | [`geodesic`] | distances, azimuths, destinations and areas: nine methods behind one trait |
 //! | [`distortion`] | what a projection does to shapes, areas and texels; surveys of whole faces |
 //! | [`terrain`] | tiles of the faces: addresses, neighbours, keys, bounds, and which of them a picture needs |
 //! | [`scene`] | the cheapest model that keeps a tolerance, with a bound |

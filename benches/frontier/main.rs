@@ -28,6 +28,7 @@ mod projection;
 #[path = "../../examples/stability/raster.rs"]
 mod raster;
 mod record;
+mod scene;
 mod set;
 #[path = "../../examples/stability/svg.rs"]
 #[allow(dead_code)]
@@ -75,12 +76,18 @@ fn run(options: &Options) -> Result<String, String> {
     if fonts.is_empty() {
         eprintln!("no font on this machine: the PNG files are without text, the SVG files are whole");
     }
-    for chart in charts::all(&records) {
-        let document =
-            chart::draw(chart.title, &options.caption, &chart.panels, chart.height).document(chart.title, &chart::DAY);
+    let mut documents: Vec<(&str, String)> = charts::all(&records)
+        .iter()
+        .map(|chart| {
+            let svg = chart::draw(chart.title, &options.caption, &chart.panels, chart.height);
+            (chart.file, svg.document(chart.title, &chart::DAY))
+        })
+        .collect();
+    documents.push(("scene", scene::document(&scene::draw(&records, &options.caption)?)));
+    for (file, document) in documents {
         let png = raster::png(&document, &fonts)?;
-        write(&out.join(format!("{}.svg", chart.file)), document.as_bytes())?;
-        write(&out.join(format!("{}.png", chart.file)), &png)?;
+        write(&out.join(format!("{file}.svg")), document.as_bytes())?;
+        write(&out.join(format!("{file}.png")), &png)?;
     }
     let broken = claims::broken(&ours);
     if broken.is_empty() {
@@ -106,6 +113,8 @@ fn measured(options: &Options) -> Result<Vec<Record>, String> {
         position::run::<f32>(&mut bench);
         projection::run::<f64>(&mut bench);
         projection::run::<f32>(&mut bench);
+        scene::run::<f64>(&mut bench);
+        scene::run::<f32>(&mut bench);
         eprintln!();
     }
     let mut records = bench.records;

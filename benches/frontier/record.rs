@@ -14,7 +14,7 @@ pub const METRES_PER_RADIAN: f64 = 6_371_000.0;
 /// The speed and the largest error of one function on one set of points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
-    /// The chart it belongs to: `distance`, `projection` or `position`.
+    /// The chart it belongs to: `distance`, `projection`, `position` or `scene`.
     pub chart: String,
     /// What is computed, such as `inverse`, `direct`, `qsc forward`, `ecef to geodetic`, `authalic latitude`.
     pub operation: String,

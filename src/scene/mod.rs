@@ -155,13 +155,14 @@ impl Scene {
     /// The places within a radius in metres of one at a latitude in degrees: any two of them.
     #[must_use]
     pub const fn around(ellipsoid: Ellipsoid<f64>, latitude: f64, radius: f64) -> Self {
-        let [equator, pole] = [0.0, 90.0];
-        let nearest = (latitude.abs() - radius / (ellipsoid.a() * DEGREE))
-            .max(equator)
-            .min(pole);
+        let nearest = (latitude.abs() - radius / (ellipsoid.a() * DEGREE)).clamp(0.0, 90.0);
         let reach = radius / (Parallel::new(nearest).along(ellipsoid) * DEGREE);
+        // A clamp keeps what is not a number, to be refused.
         Self::new(ellipsoid)
-            .latitudes((latitude - reach).max(-90.0), (latitude + reach).min(90.0))
+            .latitudes(
+                (latitude - reach).clamp(-90.0, 90.0),
+                (latitude + reach).clamp(-90.0, 90.0),
+            )
             .up_to(2.0 * radius)
     }
 
@@ -250,9 +251,9 @@ impl Scene {
             Some(SceneError::Distances(self.distances))
         } else if !ordered(self.heights, -0.5 * polar, polar) {
             Some(SceneError::Heights(self.heights))
-        } else if !(self.tolerance >= 0.0) {
+        } else if !ordered([self.tolerance; 2], 0.0, f64::INFINITY) {
             Some(SceneError::Tolerance(self.tolerance))
-        } else if !(self.azimuth >= 0.0) {
+        } else if !ordered([self.azimuth; 2], 0.0, f64::INFINITY) {
             Some(SceneError::Tolerance(self.azimuth))
         } else {
             None

@@ -11,3 +11,4 @@ mod distances;
 mod draw;
 mod figure;
 mod positions;
+mod refusals;
