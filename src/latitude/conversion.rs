@@ -7,8 +7,9 @@ use crate::{Ellipsoid, Real};
 
 /// From one latitude to another, as angles.
 ///
-/// Worst error 4.5e-16 rad (`f64`), 2.4e-7 rad (`f32`) for −1/150 ≤ f ≤ 1/10, and full relative precision near the equator. The isometric latitude is
-/// dimensionless, whether the other is in degrees or in radians.
+/// Worst error for −1/150 ≤ f ≤ 1/10, in radians: 1.6e-16 (`f32`: 8.2e-8) from the geodetic latitude, 3.3e-16 (8.5e-8) to it, 5e-16 (1.7e-7) between two
+/// others, 7e-16 (3.5e-7) from the isometric, whose e^ψ is rounded; and full relative precision near the equator. The isometric latitude is dimensionless,
+/// whether the other is in degrees or in radians.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Latitude, latitude::Conversion};

@@ -11,11 +11,14 @@ use crate::Real;
 #[must_use]
 #[cfg_attr(not(small), inline(always))]
 pub fn cbrt<T: Real>(x: T) -> T {
-    let magnitude = x.abs();
+    // An eighth of a number next to the largest, for thrice its cube would be none.
+    let large = x.abs() > T::pick(1e300, 1e37);
+    let magnitude = x.abs() * select(large, T::of(0.125), T::ONE);
     let mut root = magnitude.cbrt_guess();
     repeat!(T::steps(3, 2), {
         let cube = root * root * root;
         root += root * ((magnitude - cube) / (cube + cube + magnitude));
     });
+    let root = root * select(large, T::of(2.0), T::ONE);
     select(x.is_finite() & (x != T::ZERO), root.copysign(x), x)
 }

@@ -116,7 +116,7 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
         let (corners, direction) = self.corners(tile, middle);
         let axes = frame(direction, n);
         let mut chord = T::ZERO;
-        let mut reach = [NOTHING; 2].map(|range| range.map(T::of));
+        let mut reach = [nothing::<T>(); 2];
         for corner in corners {
             let apart = difference(normalised(corner), middle);
             chord = max(chord, dot(apart, apart));
@@ -181,7 +181,7 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
             widening = max(widening, half * bend + length * width);
         }
         widening += T::of(8.0) * T::EPSILON;
-        let mut ranges = [NOTHING; 2].map(|range| range.map(T::of));
+        let mut ranges = [nothing::<T>(); 2];
         for [p, q] in nodes {
             let turned = [p * cos + q * sin, q * cos - p * sin];
             for (range, w) in ranges.iter_mut().zip(turned) {
@@ -196,7 +196,7 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
     /// The range along an axis of the tangent plane, from the foot, for the sines by which directions of an angle go that way (step 4).
     #[inline(always)]
     fn across(&self, [low, high]: [T; 2], angle: T, heights: Heights<T>) -> [T; 2] {
-        let mut range = NOTHING.map(T::of);
+        let mut range = nothing::<T>();
         for height in [heights.low(), heights.high()] {
             let scale = self.ground.mean + height * self.normal.mean;
             let rest = (self.ground.apart + height.abs() * self.normal.apart) * angle;
@@ -222,7 +222,10 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
 }
 
 /// A range without a number.
-const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
+#[inline(always)]
+fn nothing<T: Real>() -> [T; 2] {
+    [T::of(f64::INFINITY), T::of(f64::NEG_INFINITY)]
+}
 
 #[inline(always)]
 fn include<T: Real>([low, high]: &mut [T; 2], number: T) {

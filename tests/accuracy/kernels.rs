@@ -147,6 +147,18 @@ fn out_of_domain_is_not_a_number() {
 }
 
 #[test]
+fn cube_roots_next_to_the_largest() {
+    for part in [1.0, 0.93, 0.5, 0.34, 0.33, 0.1, 1e-30] {
+        let (x, single) = (part * f64::MAX, part as f32 * f32::MAX);
+        assert!((math::cbrt(x) / x.cbrt() - 1.0).abs() <= f64::EPSILON, "{x:e}");
+        assert!(
+            (math::cbrt(-single) / (-single).cbrt() - 1.0).abs() <= f32::EPSILON,
+            "{single:e}"
+        );
+    }
+}
+
+#[test]
 fn logarithm_and_exponential_at_the_ends() {
     fn check<T: Scalar>(least: f64, overflows: f64, digits: f64) {
         let of = |value: f64| T::lift(value).unwrap_or_else(|| T::of(value));

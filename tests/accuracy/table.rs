@@ -5,7 +5,7 @@ use terrella::cube::Projection;
 /// What is claimed, its unit, and the largest error in `f64` and in `f32`.
 #[rustfmt::skip]
 const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
-    ("math::sin_cos", "ulp", [0.8, 0.8]),
+    ("math::sin_cos", "ulp", [0.8, 0.81]),
     ("math::sin_cos_degrees", "ulp", [0.8, 0.8]),
     ("math::tan", "ulp", [1.2, 1.2]),
     ("math::atan", "ulp", [0.85, 0.85]),
@@ -17,8 +17,9 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("LatLon to Direction", "rad", [2.2e-16, 1.2e-7]),
     ("Direction to LatLon", "ulp", [2.3, 2.3]),
     ("LatLon to FacePoint and back, any projection and shift", "m", [5e-9, 2.6]),
-    ("latitude of a geodetic one", "rad", [1.5e-16, 8.2e-8]),
-    ("geodetic latitude of another", "rad", [3.0e-16, 1.3e-7]),
+    ("latitude of a geodetic one", "rad", [1.6e-16, 8.2e-8]),
+    ("geodetic latitude of another", "rad", [3.3e-16, 8.5e-8]),
+    ("geodetic latitude of an isometric one", "rad", [6.2e-16, 3.1e-7]),
     ("isometric latitude, relative to 1 or more", "", [5e-16, 2.6e-7]),
     ("latitudes below 0.1, relative", "ulp", [2.6, 2.6]),
     ("Karney inverse, distance", "m", [7e-9, 3.0]),

@@ -187,10 +187,19 @@ fn latitudes<T: Single>(kept: &mut bool) {
             .is_finite()
             .then(|| truth.error(found) / truth.value().abs().max(1.0))
     });
-    hold::<T, _, _>(kept, "geodetic latitude of another", GEODETIC, |[value], row| {
-        let found = conversion(row.word.parse().ok()?, Latitude::Geodetic)?.radians(value);
-        Some(row.truth[0].error(found.ok()?))
-    });
+    for (what, of_isometric) in [
+        ("geodetic latitude of another", false),
+        ("geodetic latitude of an isometric one", true),
+    ] {
+        hold::<T, _, _>(kept, what, GEODETIC, |[value], row| {
+            let from = row.word.parse().ok()?;
+            if (from == Latitude::Isometric) != of_isometric {
+                return None;
+            }
+            let found = conversion(from, Latitude::Geodetic)?.radians(value);
+            Some(row.truth[0].error(found.ok()?))
+        });
+    }
 }
 
 /// In `f32` an error of a geodesic may grow by 1.5e-7 of the distance before it counts.
