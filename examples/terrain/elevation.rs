@@ -1,4 +1,4 @@
-//! The height of the ground anywhere: a real model of a small piece of it, and around that a long slope down to the ellipsoid.
+//! The height of the ground anywhere: a real model of a small piece of it, around that its mirror image, and a long slope down to the ellipsoid.
 
 use std::fs;
 use std::path::Path;
@@ -17,8 +17,8 @@ const STEP: f64 = 3.0 / 3600.0;
 /// Metres in a degree of latitude, and of longitude here: for the slope around the model only.
 const DEGREE: [f64; 2] = [110_960.0, 89_480.0];
 
-/// Metres from the model in which its edge gives way to its mean, and that to the ellipsoid.
-const EDGE: f64 = 2_500.0;
+/// Metres from the model in which its mirror image gives way to its mean, and that to the ellipsoid.
+const EDGE: f64 = 60_000.0;
 const SLOPE: f64 = 150_000.0;
 
 /// Cubic interpolation may overshoot: the weights of four samples add up to 1.25 in magnitude, in two dimensions to the square of that.
@@ -46,7 +46,7 @@ impl Elevation {
         Ok(elevation)
     }
 
-    /// The height at a place, and how much of it is the model's.
+    /// The height at a place, and how much of it is the model's or its image's.
     pub fn at(&self, place: LatLon<f64>) -> (f64, f64) {
         let outside = self.metres_outside(place);
         if outside >= SLOPE {
@@ -130,13 +130,20 @@ impl Elevation {
         (north * north + across * across).sqrt()
     }
 
-    /// Catmull and Rom's interpolation at a column and row; outside, at the nearest edge.
+    /// Catmull and Rom's interpolation at a column and row; outside, of the mirror image.
     fn cubic(&self, x: f64, y: f64) -> f64 {
         let split = |x: f64, count: usize| {
-            let x = x.clamp(0.0, (count - 1) as f64);
+            let (last, count) = (count as isize - 1, count as f64);
+            let folded = (x + 0.5).rem_euclid(2.0 * count);
+            let x = folded.min(2.0 * count - folded) - 0.5;
             let whole = x.floor();
-            let at = |k: usize| (whole as usize + k).saturating_sub(1).min(count - 1);
-            ([at(0), at(1), at(2), at(3)], weights(x - whole))
+            let at = |step: isize| {
+                let index = whole as isize + step;
+                // Before the first sample is the first again, as in a mirror on the edge.
+                let index = if index < 0 { -1 - index } else { index };
+                index.min(2 * last + 1 - index) as usize
+            };
+            ([at(-1), at(0), at(1), at(2)], weights(x - whole))
         };
         let (columns, across) = split(x, self.model.columns);
         let (rows, down) = split(y, self.model.rows);

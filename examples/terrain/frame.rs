@@ -26,11 +26,12 @@ const FINEST: u8 = 14;
 /// Where the imagery is too coarse for the relief to be left without colours of its own, in metres above ground.
 const TINTED: f64 = 120_000.0;
 
-/// From this height down, leaning heights are drawn too: metres above ground.
+/// From these heights down, leaning heights and naive single precision are drawn too: metres above ground.
 const LEAN_SEEN: f64 = 10_000.0;
+const NAIVE_SEEN: f64 = 1_000.0;
 
 /// What single precision differs by, and what leaning heights do.
-pub const ROUNDING: Scale = Scale { exponents: [-5, 0] };
+pub const ROUNDING: Scale = Scale { exponents: [-5, 1] };
 pub const LEANING: Scale = Scale { exponents: [-1, 1] };
 
 /// What frames are drawn of.
@@ -55,12 +56,13 @@ pub struct Frame {
     pub rounded: Difference,
     /// Pixels of the first two that are not of the same colour.
     pub unlike: usize,
-    /// Only where the eye is near enough to see it.
-    pub leaning: Option<Leaning>,
+    /// Single precision without the crate, and heights along a sphere's normal: only where the eye is near enough to see it.
+    pub naive: Option<Contrast>,
+    pub leaning: Option<Contrast>,
 }
 
-/// The same terrain with heights along a sphere's normal.
-pub struct Leaning {
+/// The same terrain, but wrong.
+pub struct Contrast {
     pub picture: RgbImage,
     /// How far the ground is from where it should be.
     pub apart: RgbImage,
@@ -95,7 +97,8 @@ impl World {
         let mut single = Canvas::<f32>::new(size);
         let mut double = Canvas::<f64>::new(size);
         let mut lean = (view.height <= LEAN_SEEN).then(|| Canvas::<f64>::new(size));
-        let [mut rounded, mut leant] = [0; 2].map(|_| Difference::default());
+        let mut naive = (view.height <= NAIVE_SEEN).then(|| Canvas::<f32>::new(size));
+        let [mut rounded, mut leant, mut naively] = [0; 3].map(|_| Difference::default());
         for &tile in &tiles {
             let ground = Ground::new(&map, tile, &self.elevation, &self.imagery, tint);
             let skirt = self.skirts[usize::from(tile.level())];
@@ -104,6 +107,11 @@ impl World {
             let apart = rounded.add(&ours, &truth);
             draw(&mut single, view, &ours, &ground, &apart);
             draw(&mut double, view, &truth, &ground, &apart);
+            if let Some(naive) = &mut naive {
+                let mesh = mesh::naive(&truth, view.eye);
+                let apart = naively.add(&mesh, &truth);
+                draw(naive, view, &mesh, &ground, &apart);
+            }
             if let Some(lean) = &mut lean {
                 let leaning = mesh::leaning(&map, &ground, view.eye, skirt);
                 let apart = leant.add(&leaning, &truth);
@@ -112,15 +120,8 @@ impl World {
         }
         let levels = tiles.iter().map(|tile| tile.level());
         let [single, exact] = [colours(&single, view), colours(&double, view)];
-        let leaning = lean.map(|canvas| {
-            let picture = colours(&canvas, view);
-            Leaning {
-                apart: lengths(&canvas, LEANING),
-                difference: leant,
-                unlike: unlike(&picture, &exact),
-                picture,
-            }
-        });
+        let leaning = lean.map(|canvas| Contrast::new(&canvas, view, &exact, LEANING, leant));
+        let naive = naive.map(|canvas| Contrast::new(&canvas, view, &exact, ROUNDING, naively));
         Ok(Frame {
             height: view.height,
             tiles: tiles.len(),
@@ -130,8 +131,21 @@ impl World {
             rounding: lengths(&double, ROUNDING),
             double: exact,
             rounded,
+            naive,
             leaning,
         })
+    }
+}
+
+impl Contrast {
+    fn new<T: Scalar>(canvas: &Canvas<T>, view: &View, exact: &RgbImage, scale: Scale, difference: Difference) -> Self {
+        let picture = colours(canvas, view);
+        Self {
+            apart: lengths(canvas, scale),
+            difference,
+            unlike: unlike(&picture, exact),
+            picture,
+        }
     }
 }
 

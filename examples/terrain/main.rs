@@ -131,6 +131,10 @@ fn save(frame: &Frame, index: usize, out: &Path) -> Result<(), String> {
     jpeg(&frame.single, "single")?;
     jpeg(&frame.double, "double")?;
     png(&frame.rounding, "rounding")?;
+    if let Some(naive) = &frame.naive {
+        jpeg(&naive.picture, "naive")?;
+        png(&naive.apart, "naive-rounding")?;
+    }
     if let Some(leaning) = &frame.leaning {
         jpeg(&leaning.picture, "leaning")?;
         png(&leaning.apart, "lean")?;

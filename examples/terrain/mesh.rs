@@ -1,5 +1,5 @@
-//! The vertices of a tile, from the eye: in single precision as a renderer would have them, in double precision for the truth, and with heights
-//! along a sphere's normal.
+//! The vertices of a tile, from the eye: in single precision as a renderer would have them, in double precision for the truth, and for contrast in
+//! single precision without the crate, and with heights along a sphere's normal.
 //!
 //! A mesh is the tile's samples and a rim around them: the edge again, lowered by a skirt that hides the gaps to coarser neighbours.
 
@@ -8,7 +8,7 @@ use terrella::terrain::{Patches, Tile};
 use terrella::{Ecef, Geodetic};
 
 use crate::ground::{Ground, SAMPLES};
-use crate::scalar::{Scalar, dot, normalised};
+use crate::scalar::{Scalar, dot, lowered, normalised};
 
 /// Vertices along the edge of a mesh.
 pub const ACROSS: u32 = SAMPLES + 2;
@@ -71,6 +71,17 @@ pub fn single(
         let height = ground.heights[i] as f32 - if is_rim { skirt } else { 0.0 };
         (seen.at(place, SAMPLES, displacement, normal, height), normal)
     }))
+}
+
+/// Without corners and patches, for contrast: Earth-centred coordinates in single precision, less the eye in single precision.
+pub fn naive(truth: &Mesh<f64>, eye: Ecef<f64>) -> Mesh<f32> {
+    let eye = eye.to_array();
+    let rounded = |vertex: &[f64; 3]| std::array::from_fn(|k| (vertex[k] + eye[k]) as f32 - eye[k] as f32);
+    Mesh {
+        vertices: truth.vertices.iter().map(rounded).collect(),
+        normals: truth.normals.iter().copied().map(lowered).collect(),
+        slopes: truth.slopes.iter().copied().map(lowered).collect(),
+    }
 }
 
 /// By the definition: latitude, longitude and height to Earth-centred coordinates, less the eye; all of it in double precision.

@@ -6,8 +6,8 @@ use terrella::{Geodetic, LatLon};
 
 use crate::approach::{ASPECT, aim};
 use crate::cli::Options;
-use crate::frame::{Frame, LEANING, Leaning, ROUNDING};
-use crate::scale::length;
+use crate::frame::{Contrast, Frame, LEANING, ROUNDING};
+use crate::scale::{grouped, length};
 use crate::{jpeg_file, png_file};
 
 /// The page's colour, around the pictures too.
@@ -22,12 +22,25 @@ pub fn html(options: &Options, map: &CubeMap<f64, Projection>, frames: &[Frame])
         .enumerate()
         .map(|(index, frame)| row(options, index, frame))
         .collect();
-    let leaning: String = frames
-        .iter()
-        .enumerate()
-        .filter_map(|(index, frame)| Some(leaning_row(options, index, frame, frame.leaning.as_ref()?)))
-        .collect();
+    let contrasts = |of: fn(&Frame) -> Option<&Contrast>, names: [[&str; 2]; 3]| -> String {
+        let row = |(index, frame)| Some(contrast_row(options, index, frame, of(frame)?, names));
+        frames.iter().enumerate().filter_map(row).collect()
+    };
+    let naive = contrasts(
+        |frame| frame.naive.as_ref(),
+        [
+            ["double", "f64"],
+            ["naive", "naive f32"],
+            ["naive-rounding", "difference"],
+        ],
+    );
+    let leaning = contrasts(
+        |frame| frame.leaning.as_ref(),
+        [["double", "upright"], ["leaning", "leaning"], ["lean", "difference"]],
+    );
     let most = |of: fn(&Frame) -> f64| frames.iter().map(of).fold(0.0, f64::max);
+    let near = most(|frame| frame.rounded.near);
+    let naive_near = most(|frame| frame.naive.as_ref().map_or(0.0, |naive| naive.difference.near));
     let place = aim().map_err(|error| error.to_string())?;
     let leans = lean(&map.shifted(), place, 1_000.0);
     Ok(format!(
@@ -56,8 +69,14 @@ and height.</p>
 <h2 id="rounding">What rounding does</h2>
 <p>The third picture is the distance between the two positions of each vertex, interpolated over the triangles. The figures are of all
 vertices of the tiles that are drawn. Within 1&nbsp;km of the eye they are at most <strong>{near}</strong> apart, and beyond at
-most <strong>{beyond:.2}</strong> millionths of the distance.</p>
+most <strong>{beyond:.2}</strong> millionths of the distance. Colours are of the logarithm; what is black is sky.</p>
 {rounding_scale}{rows}</section>
+<section aria-labelledby="naive">
+<h2 id="naive">What it does without patches</h2>
+<p>The same vertices as Earth-centred coordinates in <code>f32</code>, less the eye in <code>f32</code>: each is rounded by itself to a grid of half a metre, and
+terrain trembles as the eye moves. The largest error within 1&nbsp;km is <strong>{naive_near}</strong>, {times}&nbsp;times as large. The colours are those
+above.</p>
+{rounding_scale}{naive}</section>
 <section aria-labelledby="leaning">
 <h2 id="leaning">What leaning does</h2>
 <p>The cube is mapped to a sphere, and the sphere to the ellipsoid by its {shift} latitude. Who reads heights along the sphere’s normal, as if there were
@@ -68,14 +87,16 @@ where it should be.</p>
 </main>
 <footer>
 <p>Drawn by the example <code>terrain</code> of the crate <code>terrella</code>: {projection} cube, {shift} latitude, WGS84. Elevation: a piece of the
-public-domain elevation data of the United States, 3″ between samples, its heights above the sea taken for heights above the ellipsoid; around it the
-ground slopes down to the ellipsoid over 150&nbsp;km, which is made up. Imagery: NASA Blue Marble, 20&nbsp;km to a pixel; near the ground the relief has
+public-domain elevation data of the United States, 3″ between samples, its heights above the sea taken for heights above the ellipsoid; around it are its mirror images,
+which fade within 60&nbsp;km, and the ground slopes down to the ellipsoid over 150&nbsp;km: that is made up. Imagery: NASA Blue Marble, 20&nbsp;km to a pixel; near the ground the relief has
 colours of its own, by height.</p>
 </footer>
 </body>
 </html>
 "#,
-        near = length(most(|frame| frame.rounded.near)),
+        near = length(near),
+        naive_near = length(naive_near),
+        times = grouped((naive_near / near.max(f64::MIN_POSITIVE)).round() as usize),
         beyond = 1e6 * most(|frame| frame.rounded.beyond),
         rounding_scale = ROUNDING.html(),
         leaning_scale = LEANING.html(),
@@ -117,26 +138,29 @@ fn row(options: &Options, index: usize, frame: &Frame) -> String {
             frame.tiles,
             length(frame.rounded.largest()),
             length(frame.rounded.median()),
-            frame.unlike,
-            frame.single.pixels().len(),
+            grouped(frame.unlike),
+            grouped(frame.single.pixels().len()),
         ),
     )
 }
 
-fn leaning_row(options: &Options, index: usize, frame: &Frame, leaning: &Leaning) -> String {
+/// A frame as it should be, as it should not, and the difference: the files' kinds and what they are called.
+fn contrast_row(options: &Options, index: usize, frame: &Frame, contrast: &Contrast, names: [[&str; 2]; 3]) -> String {
+    let [[right, upright], [wrong, amiss], [apart, difference]] = names;
     figure(
         options,
         [
-            (jpeg_file(index, "double"), "upright"),
-            (jpeg_file(index, "leaning"), "leaning"),
-            (png_file(index, "lean"), "difference"),
+            (jpeg_file(index, right), upright),
+            (jpeg_file(index, wrong), amiss),
+            (png_file(index, apart), difference),
         ],
         &length(frame.height),
         &format!(
-            "largest difference {}; {} of {} pixels are not of the same colour",
-            length(leaning.difference.largest()),
-            leaning.unlike,
-            leaning.picture.pixels().len(),
+            "largest difference {}, median {}; {} of {} pixels are not of the same colour",
+            length(contrast.difference.largest()),
+            length(contrast.difference.median()),
+            grouped(contrast.unlike),
+            grouped(contrast.picture.pixels().len()),
         ),
     )
 }

@@ -35,6 +35,18 @@ impl Scale {
     }
 }
 
+/// In groups of three digits.
+pub fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let groups: Vec<_> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .map(String::from_utf8_lossy)
+        .collect();
+    groups.join("\u{a0}")
+}
+
 /// Three digits at most, and the unit that suits them.
 pub fn length(metres: f64) -> String {
     let units = [(1e3, "km"), (1.0, "m"), (1e-3, "mm"), (1e-6, "µm")];
@@ -49,9 +61,9 @@ pub fn length(metres: f64) -> String {
         ..99.95 => 1,
         _ => 0,
     };
-    let text = format!("{value:.digits$} {unit}");
-    match text.strip_suffix("000 km") {
-        Some(thousands) if !thousands.is_empty() => format!("{thousands} 000 km"),
-        _ => text,
+    let text = format!("{value:.digits$}");
+    match text.strip_suffix("000") {
+        Some(thousands) if !thousands.is_empty() => format!("{thousands}\u{a0}000\u{a0}{unit}"),
+        _ => format!("{text}\u{a0}{unit}"),
     }
 }
