@@ -7,6 +7,7 @@
     missing_docs
 )]
 
+mod cost;
 mod distances;
 mod draw;
 mod figure;
