@@ -25,15 +25,16 @@ pub(super) struct Models {
 impl Models {
     pub const fn of(scene: &Scene, single: bool) -> Self {
         let (ellipsoid, band, [near, far]) = (scene.ellipsoid, Band::new(scene.latitudes), scene.distances);
-        let (a, tan) = (ellipsoid.a(), band.tan());
+        // The largest radius of curvature, a²/b.
+        let (polar, tan) = (ellipsoid.a() / (1.0 - ellipsoid.f()), band.tan());
         let input = if !single {
             0.0
         } else if scene.local {
             // The middle latitude is rounded, too, and with it the length of a degree of longitude.
             let middle = 0.5 * ulp(band.steepest.degrees) * DEGREE * tan;
-            hypot(a * band.half, far) * f32::EPSILON as f64 + far * middle
+            hypot(polar * band.half, far) * f32::EPSILON as f64 + far * middle
         } else {
-            a * DEGREE * hypot(ulp(band.steepest.degrees), ulp(180.0) * (band.flattest.cos + 1e-7))
+            polar * DEGREE * hypot(ulp(band.steepest.degrees), ulp(180.0) * (band.flattest.cos + 1e-7))
         };
         Self {
             ellipsoid,
@@ -53,7 +54,9 @@ impl Models {
         let excursion = 0.5 * self.arc / DEGREE;
         let m = self.band.flattest.along(self.ellipsoid);
         let n = Parallel::new((self.band.steepest.degrees + excursion).min(90.0)).across(self.ellipsoid);
-        [0.5 * (m + n), 0.5 * (n - m) / m]
+        // What the sines are off.
+        let slack = 2e-7 * e2(self.ellipsoid) + 2e-11;
+        [0.5 * (m + n), 0.5 * (n - m) / m + slack]
     }
 
     pub const fn bound(&self, model: Model) -> Bound {

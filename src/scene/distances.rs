@@ -23,11 +23,11 @@ impl Scene {
     ///
     /// | model | of a distance | of an azimuth | where |
     /// |---|---|---|---|
-    /// | [`Flat`] | 1.25 s³/(24r²) (0.26 + 1.13 tan²φ) | 1.25 s²/r² (0.033 + 0.027 tan²φ) | s ≤ 0.2 r, s tan φ ≤ 0.4 r |
-    /// | [`Plane`] | s ε more, ε = 1.1 δ³/6 (tan φ + 6e² + δ/4) | ε + s/r δ³/12 more | as [`Flat`], δ ≤ 0.1 |
+    /// | [`Flat`] | 1.25 s³/(24r²) (0.26 + 1.13 tan²φ) | 1.25 s²/r² (0.033 + 0.027 tan²φ) | s ≤ 0.5 r, s tan φ ≤ 0.5 r |
+    /// | [`Plane`] | s ε more, ε = 1.1 δ³/6 (tan φ + 6e² + δ/4) | ε + s/r δ³/12 more | as [`Flat`], δ ≤ 0.3 |
     /// | [`GreatCircle`] of radius (M + N)/2 | s (N − M)/(2M), M that of φ₀, N that of φ + s/2r | 1.2 f cos²φ₀ (1 + 1.45 x²/(π − σ)) | |
     /// | [`Andoyer`] | 1.2 a f² (σ/8 + 1.08x/(π − σ)), 2af if less | 1.2 f² (0.33 + 2.9 (σ/π)²/(π − σ)²) | |
-    /// | [`Vincenty`] | 2·10⁻⁸ m on the Earth | rounding | |
+    /// | [`Vincenty`] | 2·10⁻⁸ m on the Earth, (60f)⁵ 4·10⁻⁵ m if more | rounding | |
     /// | [`Karney`] | 7·10⁻⁹ m on the Earth | rounding | |
     ///
     /// and the rounding of the scalar, of the places in it too. The sphere's is a theorem: no curve is longer on the ellipsoid than N/R, or shorter than M/R, times as long as on

@@ -9,7 +9,7 @@
 //! | [`Scene::positions`] | [`Expansion`] of the first order, of the second, [`LocalFrame`](crate::LocalFrame) |
 //! | [`Scene::scalar`] | `f32`, `f32` about an origin, `f64` |
 //! | [`Scene::figure`] | a sphere without a shift, a sphere with one, the ellipsoid |
-//! | [`Scene::tiles`] | from which level a tile is its four corners, a plane or a series |
+//! | [`Scene::tiles`] | from which level a tile is its four corners, or a series |
 //!
 //! Every question is a `const fn` and takes some 70 to 110 ns at run time. A constant scene is answered by the compiler: a scene that nothing can serve does not compile, and
 //! what was not chosen is not linked.
@@ -71,7 +71,7 @@
 //! assert!(matches!(from(50e6).figure()?, Figure::Sphere { .. }));
 //! assert!(matches!(from(25e6).figure()?, Figure::Shifted { .. }));
 //! assert!(matches!(from(20e6).figure()?, Figure::Ellipsoid(_)));
-//! // Tiles seen from no nearer than 1000 km are their four corners from level 6 on, from 1 km from level 11.
+//! // Tiles seen from no nearer than 1000 km are their four corners from level 7 on, from 1 km from level 12.
 //! let tiles = |metres| from(metres).tiles(Projection::Adjusted).map(|tiles| (tiles.plain, tiles.series));
 //! assert_eq!(tiles(1e6)?, (Some(7), Some(5)));
 //! assert_eq!(tiles(1e3)?, (Some(12), Some(9)));

@@ -129,7 +129,8 @@ impl Scene {
             (true, true) => 5e-7 * reach + 0.5 * ulp(band.steepest.degrees) * DEGREE * far * band.tan(),
             (true, false) => {
                 let angles = hypot(ulp(band.steepest.degrees), ulp(180.0) * (band.flattest.cos + 1e-7));
-                (self.ellipsoid.a() + height) * DEGREE * angles + ulp(height) + 5e-7 * reach
+                let polar = self.ellipsoid.a() / (1.0 - self.ellipsoid.f());
+                (polar + height) * DEGREE * angles + ulp(height) + 5e-7 * reach
             }
         }
     }
