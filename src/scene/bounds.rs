@@ -55,7 +55,7 @@ impl Models {
         let m = self.band.flattest.along(self.ellipsoid);
         let n = Parallel::new((self.band.steepest.degrees + excursion).min(90.0)).across(self.ellipsoid);
         // What the sines are off.
-        let slack = 2e-7 * e2(self.ellipsoid) + 2e-11;
+        let slack = 2e-7 * e2(self.ellipsoid);
         [0.5 * (m + n), 0.5 * (n - m) / m + slack]
     }
 
