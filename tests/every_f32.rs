@@ -235,7 +235,7 @@ fn quadrilateralized() {
             [12.0 / PI * (t.atan() - (t / (2.0 + t * t).sqrt()).atan())]
         },
     );
-    hold("quadrilateralized, y on the edge", m, 2.0);
+    hold("quadrilateralized, y on the edge", m, 3.6);
     let [right, up] = over(
         [0.0, 1.0],
         [1.0, -1.0],
@@ -270,7 +270,7 @@ fn vertex() {
             [24.0 / PI * (sin * third).atan2(1.0 + third + cos + (sin + cos) * third)]
         },
     );
-    hold("vertex, x on the midline", t, 4.0);
+    hold("vertex, x on the midline", t, 4.2);
     let [right, outward] = over(
         [0.0, 1.0],
         [-1.0, 1.0],

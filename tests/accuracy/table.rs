@@ -48,10 +48,10 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
 const PROJECTIONS: &[(Projection, [f64; 2], [f64; 2])] = &[
     (Projection::Tangential,        [1.2e-16, 6.0e-8], [2.5e-16, 1.4e-7]),
     (Projection::Adjusted,          [3.0e-16, 1.6e-7], [2.6e-16, 1.4e-7]),
-    (Projection::Outerra,           [2.2e-16, 1.2e-7], [2.5e-16, 1.4e-7]),
+    (Projection::Outerra,           [2.2e-16, 1.2e-7], [2.7e-16, 1.4e-7]),
     (Projection::Cobe,              [2.0e-16, 1.0e-7], [2.5e-16, 1.4e-7]),
     (Projection::CobeExact,         [2.0e-16, 1.0e-7], [2.5e-16, 1.4e-7]),
-    (Projection::Quadrilateralized, [2.6e-16, 2.1e-7], [2.5e-16, 2.0e-7]),
+    (Projection::Quadrilateralized, [2.6e-16, 2.1e-7], [4.0e-16, 2.0e-7]),
     (Projection::Cartesian,         [3.6e-16, 1.9e-7], [2.5e-16, 1.3e-7]),
     (Projection::Healpix,           [3.9e-16, 2.1e-7], [4.2e-16, 2.3e-7]),
     (Projection::S2Quadratic,       [2.7e-16, 1.4e-7], [2.5e-16, 1.4e-7]),

@@ -74,19 +74,59 @@ fn round_trip<T: Scalar>(bytes: &mut Bytes<'_>) {
     );
 }
 
+/// How far the way back is from the formula in twice the digits, in radians.
+fn error_back<T: Scalar>(projection: Projection, point: FacePoint<T>) -> Option<f64> {
+    let exact = exact(projection, point)?;
+    let computed = projection.unproject(point).to_array().map(Into::<f64>::into);
+    Some(vector::length(core::array::from_fn(|i| {
+        (computed[i] - exact[i][0]) - exact[i][1]
+    })))
+}
+
 /// The way back is as near as claimed to the formula in twice the digits; of the conformal cube, `f32` to `f64`.
 fn inverse_is_true<T: Scalar>(bytes: &mut Bytes<'_>) {
     let projection = bytes.projection();
     let point = bytes.point::<T>();
-    let Some(exact) = exact(projection, point) else { return };
-    let computed = projection.unproject(point).to_array().map(Into::<f64>::into);
-    let error = vector::length(core::array::from_fn(|i| (computed[i] - exact[i][0]) - exact[i][1]));
+    let Some(error) = error_back(projection, point) else {
+        return;
+    };
     let (_, claimed) = claims_of(projection);
     assert!(
         error <= claimed[T::CLAIM],
-        "{projection} {}: {point:?} is at {computed:?}, {error:e} off",
+        "{projection} {}: {point:?}, {error:e} off",
         T::NAME
     );
+}
+
+/// The worst points that were found, of millions.
+#[cfg(test)]
+#[test]
+fn worst_points_back() {
+    for (projection, face, [x, y]) in [
+        (
+            Projection::Quadrilateralized,
+            Face::Left,
+            [-0.9990463256933708, -0.9990463256933702],
+        ),
+        (
+            Projection::Quadrilateralized,
+            Face::Top,
+            [0.9999998259776335, 0.9477173751793193],
+        ),
+        (Projection::Outerra, Face::Top, [0.5010583317311448, 0.907043388224971]),
+        (
+            Projection::Adjusted,
+            Face::Top,
+            [0.9999999810228561, 0.027319608749594885],
+        ),
+    ] {
+        let error = error_back(projection, FacePoint::new(face, x, y).unwrap()).unwrap();
+        let (_, [claimed, _]) = claims_of(projection);
+        assert!(
+            (0.66 * claimed..=claimed).contains(&error),
+            "{projection}: {error:e} of {claimed:e}"
+        );
+    }
 }
 
 /// The formula back leads from where a direction is put to where it was.
