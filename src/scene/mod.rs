@@ -78,7 +78,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Bounds are formulas, stated with the questions: from Taylor's theorem and the metric where that is short, else the form that theory gives, with the factors of a search and a fifth or a quarter more. They
+//! Bounds are formulas, stated with the questions: from Taylor's theorem and the metric where that is short, else the form that theory gives, with the factors of a search (`tests/scene/search.rs`) and a fifth or a quarter more. They
 //! hold for spheres and oblate ellipsoids to f = 1/100 of any size; others are refused. `cargo test --release --test scene -- --ignored --nocapture` draws a million scenes of each kind and places in
 //! them: no bound is exceeded, half of the bounds are less than 1.4 times the largest error (of distances in `f64`), and where a cheaper model's error is less than a quarter of the tolerance it was taken in 97 of 100.
 

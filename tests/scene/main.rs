@@ -13,3 +13,4 @@ mod draw;
 mod figure;
 mod positions;
 mod refusals;
+mod search;
