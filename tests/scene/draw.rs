@@ -100,3 +100,38 @@ pub fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
 }
+
+/// How often something dearer was taken than was enough.
+#[derive(Default)]
+pub struct Tally {
+    decided: u32,
+    dearer: u32,
+}
+
+impl Tally {
+    /// Of a scene: what would have been enough, and what was taken.
+    pub fn count<M: PartialOrd>(&mut self, enough: Option<M>, taken: Option<M>) {
+        if let Some(enough) = enough {
+            self.decided += 1;
+            self.dearer += u32::from(taken.is_none_or(|taken| taken > enough));
+        }
+    }
+
+    /// In less than 5 of 100.
+    pub fn hold(&self) {
+        println!("dearer than needed: {} of {}", self.dearer, self.decided);
+        assert!(20 * self.dearer < self.decided);
+    }
+}
+
+/// Says how many times the largest error the bounds are.
+pub fn say(what: &str, ratios: &mut [f64]) {
+    if let Some(scenes) = ratios.len().checked_sub(1) {
+        let middle = median(ratios);
+        println!(
+            "{what}: {middle:.2} times the largest error, at least {:.3}, in {} scenes",
+            ratios[0],
+            scenes + 1
+        );
+    }
+}
