@@ -102,23 +102,19 @@ fn inverse_is_true<T: Scalar>(bytes: &mut Bytes<'_>) {
 #[cfg(test)]
 #[test]
 fn worst_points_back() {
+    use Projection::{Adjusted, Healpix, Outerra, Quadrilateralized, Square, Vertex};
     for (projection, face, [x, y]) in [
         (
-            Projection::Quadrilateralized,
+            Quadrilateralized,
             Face::Left,
             [-0.9990463256933708, -0.9990463256933702],
         ),
-        (
-            Projection::Quadrilateralized,
-            Face::Top,
-            [0.9999998259776335, 0.9477173751793193],
-        ),
-        (Projection::Outerra, Face::Top, [0.5010583317311448, 0.907043388224971]),
-        (
-            Projection::Adjusted,
-            Face::Top,
-            [0.9999999810228561, 0.027319608749594885],
-        ),
+        (Quadrilateralized, Face::Top, [0.9999998259776335, 0.9477173751793193]),
+        (Outerra, Face::Top, [0.5010583317311448, 0.907043388224971]),
+        (Adjusted, Face::Top, [0.9999999810228561, 0.027319608749594885]),
+        (Healpix, Face::Top, [0.9501817905391847, 0.9501813492844002]),
+        (Vertex, Face::Top, [0.9577726791989752, 0.15559981518583005]),
+        (Square, Face::Top, [0.7439096613562424, 0.7444766382368756]),
     ] {
         let error = error_back(projection, FacePoint::new(face, x, y).unwrap()).unwrap();
         let (_, [claimed, _]) = claims_of(projection);
