@@ -286,7 +286,7 @@ fn vertex() {
             [2.0 * half / (1.0 + square), (1.0 - square) / (1.0 + square)]
         },
     );
-    hold("vertex, to the right on the midline", right, 4.0);
+    hold("vertex, to the right on the midline", right, 4.2);
     hold("vertex, outward on the midline", outward, 1.5);
 }
 

@@ -1,16 +1,18 @@
 //! The kernels under everything: written from `+ − × ÷ √` alone, without a branch, so that a loop over them vectorises
 //! and every machine computes the same bits.
 //!
-//! | function | domain | worst error, f64 | f32 |
-//! |---|---|---|---|
-//! | [`sin_cos`] | \|x\| ≤ 10⁵ (f64), 100 (f32) rad | 0.8 ulp | 0.81 ulp |
-//! | [`sin_cos_degrees`] | \|x\| ≤ 10⁹ (f64), 10⁶ (f32) ° | 0.8 ulp | 0.8 ulp |
-//! | [`tan`] | \|x\| ≤ π/4 | 1.2 ulp | 1.2 ulp |
-//! | [`atan`], [`atan2`] | finite | 0.85 ulp | 0.85 ulp |
-//! | [`atan2_degrees`] | finite | 0.85 ulp | 0.85 ulp |
-//! | [`cbrt`] | normal | 1 ulp | 1 ulp |
-//! | [`exp_m1`] | all | 0.75 ulp | 0.75 ulp |
-//! | [`log2`] | all | 0.85 ulp | 0.85 ulp |
+//! | function | domain | worst error, f64 | f32 | found over every f32 |
+//! |---|---|---|---|---|
+//! | [`sin_cos`] | \|x\| ≤ 10⁵ (f64), 100 (f32) rad | 0.8 ulp | 0.81 ulp | 0.803, cosine of 0.79641944 |
+//! | [`sin_cos_degrees`] | \|x\| ≤ 10⁹ (f64), 10⁶ (f32) ° | 0.8 ulp | 0.8 ulp | 0.795, sine of 44.61437 |
+//! | [`tan`] | \|x\| ≤ π/4 | 1.2 ulp | 1.2 ulp | 1.119, of 0.7853317 |
+//! | [`atan`], [`atan2`] | finite | 0.85 ulp | 0.85 ulp | 0.794, of 1.4487356 |
+//! | [`atan2_degrees`] | finite | 0.85 ulp | 0.85 ulp | |
+//! | [`cbrt`] | normal | 1 ulp | 1 ulp | 0.955, of 4.9008295·10⁻³⁸ |
+//! | [`exp_m1`] | all | 0.75 ulp | 0.75 ulp | 0.707, of −16.982107 |
+//! | [`log2`] | all | 0.85 ulp | 0.85 ulp | 0.828, of 1.41193 |
+//!
+//! `cargo test --release --test every_f32 -- --ignored --nocapture` finds the last column.
 
 mod atan;
 mod cbrt;

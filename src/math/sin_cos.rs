@@ -4,7 +4,7 @@ use crate::Real;
 
 /// Sine and cosine of an angle in radians.
 ///
-/// Within 0.8 ulp for |x| ≤ 10⁵ (`f64`), 0.81 for |x| ≤ 100 (`f32`; 0.803 at 0.79641944), next to the multiples of π/2 too; NaN beyond.
+/// Within 0.8 ulp for |x| ≤ 10⁵ (`f64`), 0.81 for |x| ≤ 100 (`f32`), next to the multiples of π/2 too; NaN beyond.
 ///
 /// Reduction by three parts of π/2 (Cody and Waite), polynomials of `minimax.py`.
 ///
