@@ -21,7 +21,7 @@
 //! | [`cube`] | faces, points on them, sixteen projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
 //! | [`geodesic`] | distances, azimuths, destinations and areas: nine methods behind one trait |
 //! | [`distortion`] | what a projection does to shapes, areas and texels; surveys of whole faces |
-//! | [`terrain`] | tiles of the faces: addresses, neighbours, keys, bounds, and which of them a picture needs |
+//! | [`terrain`] | tiles of the faces: addresses, neighbours, keys, bounds, which of them a picture needs, and vertices in single precision |
 //! | [`scene`] | the cheapest model that keeps a tolerance, with a bound |
 //! | [`batch`] | the same functions over slices, as wide as the machine is |
 //! | [`math`] | the kernels under all of it |

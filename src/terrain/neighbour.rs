@@ -112,6 +112,56 @@ impl Tile {
         Some(Diagonal { tile, corner, turns })
     }
 
+    /// What lies across a corner at any level: the tile that has this corner, and no edge, in common with this one. Of a finer level there is one
+    /// wherever there is a [`diagonal`](Self::diagonal); of a coarser one often none, since the tile that lies there is also across an edge, or holds this tile.
+    ///
+    /// ```
+    /// use terrella::cube::{Corner, Face};
+    /// use terrella::terrain::Tile;
+    /// let tile = Tile::new(Face::Front, 3, 3, 3)?;
+    /// let across = |level| tile.diagonal_at(Corner::UpRight, level).map(|beyond| beyond.map(|beyond| beyond.tile));
+    /// assert_eq!(across(5)?, Some(Tile::new(Face::Front, 5, 16, 16)?));
+    /// assert_eq!(across(1)?, Some(Tile::new(Face::Front, 1, 1, 1)?));
+    /// assert_eq!(across(0)?, None);
+    /// # Ok::<(), terrella::terrain::InvalidTile>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidTile::Level`] for a level above 30.
+    pub const fn diagonal_at(self, corner: Corner, level: u8) -> Result<Option<Diagonal>, InvalidTile> {
+        if level > Self::MAX_LEVEL {
+            return Err(InvalidTile::Level(level));
+        }
+        let Some(beyond) = self.diagonal(corner) else {
+            return Ok(None);
+        };
+        let tile = match beyond.tile.ancestor(level) {
+            Some(coarse) => {
+                let (first, second) = corner.edges();
+                if coarse.contains(self)
+                    || coarse.contains(self.neighbour(first).tile)
+                    || coarse.contains(self.neighbour(second).tile)
+                {
+                    return Ok(None);
+                }
+                coarse
+            }
+            None => {
+                let finer = level - beyond.tile.level;
+                let last = (1 << finer) - 1;
+                let (right, up) = match beyond.corner {
+                    Corner::UpRight => (last, last),
+                    Corner::UpLeft => (0, last),
+                    Corner::DownLeft => (0, 0),
+                    Corner::DownRight => (last, 0),
+                };
+                let (i, j) = ((beyond.tile.i << finer) + right, (beyond.tile.j << finer) + up);
+                Self::within(beyond.tile.face, level, i, j)
+            }
+        };
+        Ok(Some(Diagonal { tile, ..beyond }))
+    }
+
     /// The tiles that meet in a corner, this one first: three in a corner of the cube, four elsewhere.
     ///
     /// ```

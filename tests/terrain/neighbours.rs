@@ -190,6 +190,37 @@ fn at_other_levels_too() {
 }
 
 #[test]
+fn across_corners_at_other_levels_too() {
+    for (level, other) in [(0, 2), (1, 3), (2, 3), (3, 3), (3, 2), (3, 1), (2, 0), (3, 0)] {
+        for tile in all_tiles(level) {
+            for corner in Corner::ALL {
+                let here = vertex(tile, corner);
+                let touches = |t: Tile| Corner::ALL.into_iter().find(|&c| vertex(t, c) == here);
+                let meets = |t: Tile| {
+                    Edge::ALL.into_iter().any(|e| {
+                        let (own, its) = (Edge::ALL.map(|edge| ends(tile, edge)), ends(t, e));
+                        own.into_iter().any(|line| within(line, its) || within(its, line))
+                    })
+                };
+                let expected: Vec<_> = all_tiles(other)
+                    .filter(|&t| !t.contains(tile) && !tile.contains(t) && !meets(t))
+                    .filter_map(|t| Some((t, touches(t)?)))
+                    .collect();
+                let found = tile.diagonal_at(corner, other).unwrap();
+                let found: Vec<_> = found.into_iter().map(|beyond| (beyond.tile, beyond.corner)).collect();
+                assert_eq!(found, expected, "{tile:?} {corner:?} {other}");
+            }
+        }
+    }
+    let tile = Tile::new(Face::Right, 5, 3, 31).unwrap();
+    let finest = tile.diagonal_at(Corner::UpRight, Tile::MAX_LEVEL).unwrap().unwrap();
+    assert_eq!(vertex(finest.tile, finest.corner), vertex(tile, Corner::UpRight));
+    for level in 31..=u8::MAX {
+        assert_eq!(tile.diagonal_at(Corner::UpRight, level), Err(InvalidTile::Level(level)));
+    }
+}
+
+#[test]
 fn at_the_finest_level_too() {
     let tile = Tile::new(Face::Right, 5, 3, 31).unwrap();
     let beyond = tile.neighbours(Edge::Up, Tile::MAX_LEVEL).unwrap();

@@ -97,6 +97,10 @@ fn neighbours<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("Tile::neighbours", draw, |(tile, edge, _)| {
         Tile::neighbours(tile, edge, Tile::level(tile) + 2)
     });
+    visitor.function::<T, _, _>("Tile::diagonal_at", draw, |(tile, _, corner)| {
+        let at = |level| Tile::diagonal_at(tile, corner, level);
+        (at(Tile::level(tile) / 2), at(Tile::level(tile) + 2))
+    });
 }
 
 fn keys<T: Scalar, V: Visitor, C: Curve>(visitor: &mut V, name: &'static str) {
