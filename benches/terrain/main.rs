@@ -2,7 +2,7 @@
 //!
 //! `taskset -c 1 cargo bench --bench terrain`; nanoseconds are the minimum and the median of blocks, as in `frontier`.
 
-#![allow(clippy::unwrap_used)] // a bench may fail loudly
+#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // a bench may fail loudly
 
 #[path = "../frontier/timing.rs"]
 mod timing;
@@ -42,34 +42,38 @@ fn patches(map: &CubeMap<f64, Quadrilateralized>, tiles: &[Tile]) {
     let report = |name: &str, Timing { min, median }: Timing| {
         println!("{name:56} {:9.0} {:9.0} patches a second", 1e9 / min, 1e9 / median);
     };
-    let ours = time(tiles.len(), REPETITIONS, |range| {
-        for &tile in &tiles[range] {
-            let [ox, oy, oz, nx, ny, nz] = columns.each_mut().map(Vec::as_mut_slice);
-            black_box(patches.fill(tile, SAMPLES, [ox, oy, oz], [nx, ny, nz]).unwrap());
-        }
+    let ours = one_at_a_time(tiles, |tile| {
+        let [ox, oy, oz, nx, ny, nz] = columns.each_mut().map(Vec::as_mut_slice);
+        black_box(patches.fill(tile, SAMPLES, [ox, oy, oz], [nx, ny, nz]).unwrap());
     });
     report("Patches::fill", ours);
-    let scalar = time(tiles.len(), REPETITIONS, |range| {
-        for &tile in &tiles[range] {
-            one_by_one(map, tile, &mut columns);
-            black_box(&columns);
-        }
+    let scalar = one_at_a_time(tiles, |tile| {
+        one_by_one(map, tile, &mut columns);
+        black_box(&columns);
     });
     report("a loop in f64 over unproject and to_ecef", scalar);
     let patch = patches.of(tiles[0]);
     let eye = Ecef::new(6_378_500.0, 3_000.0, 20_000.0).unwrap();
     let heights = vec![100.0_f32; PLACES];
     let mut vertices = [0; 3].map(|_| vec![0.0_f32; PLACES]);
-    let vertex = time(tiles.len(), REPETITIONS, |range| {
-        for _ in range {
-            let [ox, oy, oz, nx, ny, nz] = columns.each_ref().map(Vec::as_slice);
-            let into = vertices.each_mut().map(Vec::as_mut_slice);
-            let seen = patch.seen_from(black_box(eye));
-            seen.fill(SAMPLES, [ox, oy, oz], [nx, ny, nz], &heights, into).unwrap();
-            black_box(&vertices);
-        }
+    let vertex = one_at_a_time(tiles, |_| {
+        let [ox, oy, oz, nx, ny, nz] = columns.each_ref().map(Vec::as_slice);
+        let into = vertices.each_mut().map(Vec::as_mut_slice);
+        let seen = patch.seen_from(black_box(eye));
+        seen.fill(SAMPLES, [ox, oy, oz], [nx, ny, nz], &heights, into).unwrap();
+        black_box(&vertices);
     });
     report("Vertices::fill, for a frame", vertex);
+}
+
+/// Each patch is a block of its own: the mean of them.
+fn one_at_a_time(tiles: &[Tile], mut pass: impl FnMut(Tile)) -> Timing {
+    let times: Vec<_> = tiles.iter().map(|&tile| time(1, REPETITIONS, |_| pass(tile))).collect();
+    let mean = |of: fn(&Timing) -> f64| times.iter().map(of).sum::<f64>() / times.len() as f64;
+    Timing {
+        min: mean(|timing| timing.min),
+        median: mean(|timing| timing.median),
+    }
 }
 
 /// What a user would write: each place from the cube to latitude and longitude to Earth-centred coordinates.
