@@ -111,7 +111,8 @@ fn element<T: Real, const I: usize>(block: [&[T; BLOCK]; I], i: usize) -> [T; I]
     block.map(|column| column.get(i).copied().unwrap_or_default())
 }
 
-/// Runs a kernel over all of a source.
+/// Runs a kernel over all of a source: a function of its own, so that an image has it once and not once for each caller.
+#[inline(never)]
 pub(crate) fn sweep<'s, T, K, S, D, const I: usize, const O: usize>(kernel: K, source: S, sink: D)
 where
     T: Real,

@@ -161,6 +161,13 @@ fn radii(lat: f64) -> ([f64; 2], f64) {
     ([across * (1.0 - earth.e2()) / square, across], cos)
 }
 
+/// The Earth's geodetic latitude of another: once in the image, not once for each claim.
+#[inline(never)]
+fn geodetic<T: Single>(from: Latitude, value: T) -> Option<T> {
+    let conversion = Conversion::new(Ellipsoid::wgs84(), from, Latitude::Geodetic).ok()?;
+    conversion.radians(value).ok()
+}
+
 fn latitudes<T: Single>(kept: &mut bool) {
     let earth = Ellipsoid::<T>::wgs84();
     let conversion = |from, to| Conversion::new(earth, from, to).ok();
@@ -196,8 +203,7 @@ fn latitudes<T: Single>(kept: &mut bool) {
             if (from == Latitude::Isometric) != of_isometric {
                 return None;
             }
-            let found = conversion(from, Latitude::Geodetic)?.radians(value);
-            Some(row.truth[0].error(found.ok()?))
+            Some(row.truth[0].error(geodetic(from, value)?))
         });
     }
 }
