@@ -287,7 +287,7 @@ fn vertex() {
         },
     );
     hold("vertex, to the right on the midline", right, 4.2);
-    hold("vertex, outward on the midline", outward, 1.5);
+    hold("vertex, outward on the midline", outward, 2.1);
 }
 
 /// Latitudes on the Earth from 2⁻²⁰ on, below which they are in proportion; in radians.
