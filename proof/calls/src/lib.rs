@@ -118,9 +118,9 @@ pub trait Visitor {
 /// The points of a batch: two whole blocks, and a part of one.
 pub const POINTS: usize = 150;
 
-struct Hashes<F>(F);
+struct Hashes<'a>(&'a mut dyn FnMut(Function, &'static str, u64));
 
-impl<F: FnMut(Function, &'static str, u64)> Visitor for Hashes<F> {
+impl Visitor for Hashes<'_> {
     fn visit<T: Scalar, I: Copy, O: Bits>(
         &mut self,
         function: Function,
@@ -131,8 +131,12 @@ impl<F: FnMut(Function, &'static str, u64)> Visitor for Hashes<F> {
     }
 }
 
-/// Hands on each function, its scalar and the hash of what it gives.
-pub fn hashes(take: impl FnMut(Function, &'static str, u64)) {
+/// Hands on each function, its scalar and the hash of what it gives: compiled here, once for all who ask.
+pub fn hashes(mut take: impl FnMut(Function, &'static str, u64)) {
+    hashes_of_all(&mut take);
+}
+
+fn hashes_of_all(take: &mut dyn FnMut(Function, &'static str, u64)) {
     every(&mut Hashes(take));
 }
 
