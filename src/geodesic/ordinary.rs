@@ -295,8 +295,9 @@ impl<T: Real> Ordinary<T> {
             azimuth1: choose(pair.swap, alpha2, alpha1),
             azimuth2: choose(pair.swap, alpha1, alpha2),
         };
-        // Also false for NaN, which coincident places give.
-        let settled = step.abs() <= arc.sin_sigma * T::pick(1e-8, 5e-5);
+        // Also false for NaN, which coincident places give; and the excess is asked itself, lest a slope that is nonsense hide it.
+        let limit = arc.sin_sigma * T::pick(1e-8, 5e-5);
+        let settled = (step.abs() <= limit) & (FAR | (excess.abs() <= T::of(100.0) * limit));
         let within = !FAR | (pair.lon >= T::of(90.0));
         (inverse, settled & within & (arc.sin_sigma > T::pick(1e-100, 1e-15)))
     }

@@ -208,3 +208,21 @@ fn vincenty_answers_where_numbers_are_subnormal() {
         }
     }
 }
+
+/// A rest of the longitudes' difference that is far larger than latitudes next to the equator: their line was 6.7 km long.
+#[test]
+fn places_next_to_the_equator_on_both_sides_of_the_180th_meridian() {
+    let karney = Karney::new(Ellipsoid::<f64>::wgs84()).unwrap();
+    for lat in [3e-14, 3e-30, 3.022_224_993_467_109_4e-57, 3e-99, 3e-200, 0.0] {
+        let (from, to) = (
+            LatLon::new(lat, 180.0).unwrap(),
+            LatLon::new(0.0, -179.999_999_999_999_97).unwrap(),
+        );
+        let [distance, exact] =
+            [karney.inverse(from, to).unwrap(), karney.solve(from, to).inverse].map(|way| way.distance);
+        assert!(
+            distance < 6e-9 && (distance - exact).abs() < 1e-11,
+            "{lat:e}: {distance:e}, {exact:e}"
+        );
+    }
+}
