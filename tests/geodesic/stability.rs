@@ -1,7 +1,7 @@
 //! Every method at awkward places: finite, in range, and refused only for a reason.
 
 use terrella::geodesic::{
-    Andoyer, AndoyerSecond, Bowring, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Vincenty,
+    Andoyer, AndoyerSecond, Bowring, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Karney, Vincenty,
 };
 use terrella::{Ellipsoid, LatLon};
 
