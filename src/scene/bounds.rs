@@ -91,7 +91,7 @@ impl Models {
             (false, Model::Karney) => 1.2e-8 * size,
             (true, Model::Plane | Model::Flat | Model::Sphere | Model::Andoyer) => 7e-7 * s,
             (true, Model::Vincenty) => (1e-6 * s).min(7.0 * size),
-            (true, Model::Karney) => (1e-6 * s).min(1.5e-7 * s + 3.0 * size),
+            (true, Model::Karney) => (1e-6 * s).min(1.5e-7 * s + 4.0 * size),
         };
         truncation + rounding + self.input
     }
