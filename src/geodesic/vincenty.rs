@@ -25,7 +25,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | all of them, \|f\| ≤ 1/150 | 4.0e-7 m | 7 m |
 /// | all of them, \|f\| ≤ 1/60 | 4.0e-5 m | 8 m |
 ///
-/// These hold at every latitude. A longer line, of several circuits, adds 2e-16 (1e-7) of its length and as much of the series' error as it is longer.
+/// These hold at every latitude, but in `f32` between nearly antipodal places within 10⁻⁴ degrees of the equator, where distances are up to 30 m off. A longer line, of several circuits, adds 2e-16 (1e-7) of its length and as much of the series' error as it is longer.
 ///
 /// On ellipsoids with |f| ≤ 1/149 places take the same straight lines of arithmetic as with [`Karney`](super::Karney), where there is one: between all but the hardest of the nearly antipodal places,
 /// and for all but very many circuits. The rest, and other ellipsoids, take Newton's steps until they settle.

@@ -90,6 +90,8 @@ impl Models {
             (false, Model::Karney) if f <= 1.0 / 150.0 => 7e-9 * size,
             (false, Model::Karney) => 1.2e-8 * size,
             (true, Model::Plane | Model::Flat | Model::Sphere | Model::Andoyer) => 7e-7 * s,
+            // Half way round the equator.
+            (true, Model::Vincenty | Model::Karney) if self.arc > 0.97 * PI => 33.0 * size,
             (true, Model::Vincenty) => (1e-6 * s).min(7.0 * size),
             (true, Model::Karney) => (1e-6 * s).min(1.5e-7 * s + 4.0 * size),
         };

@@ -93,6 +93,17 @@ fn leads<T: Scalar>(ellipsoid: Ellipsoid<T>, (from, to): (LatLon<T>, LatLon<T>),
     );
 }
 
+/// What distances half way round the equator may be off besides in `f32`.
+fn beside<T: Scalar>(ellipsoid: Ellipsoid<T>, [lat1, lat2]: [f64; 2], distance: f64) -> f64 {
+    let equator = lat1.abs().max(lat2.abs()) < 1e-4;
+    let half_way = distance > 0.97 * core::f64::consts::PI * ellipsoid.b().into();
+    if T::NAME == "f32" && equator && half_way {
+        30.0
+    } else {
+        0.0
+    }
+}
+
 /// Karney's inverse, both ways of it: GeographicLib's distance, and azimuths that lead there.
 fn inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
     let ellipsoid = bytes.ellipsoid::<T>(FLATTENINGS.0, FLATTENINGS.1);
@@ -104,7 +115,8 @@ fn inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
     if !known(expected, ellipsoid, (from, to)) {
         return;
     }
-    let allowed = claimed(ellipsoid, "Karney inverse, distance", ELSEWHERE, expected);
+    let allowed =
+        claimed(ellipsoid, "Karney inverse, distance", ELSEWHERE, expected) + beside(ellipsoid, [lat1, lat2], expected);
     let aside = claimed(ellipsoid, "Karney inverse, azimuth times length", ELSEWHERE, 0.0);
     for line in [karney.solve(from, to).inverse, karney.inverse(from, to).unwrap()] {
         let error = (line.distance.into() - expected).abs();
@@ -450,7 +462,7 @@ fn methods_inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
     };
     let error = (distance - s12).abs();
     assert!(
-        error <= length + theirs(ellipsoid),
+        error <= length + beside(ellipsoid, [lat1, lat2], s12) + theirs(ellipsoid),
         "{}, {expected:?}: {error:e}",
         context()
     );
