@@ -25,16 +25,12 @@ pub(super) struct Models {
 impl Models {
     pub const fn of(scene: &Scene, single: bool) -> Self {
         let (ellipsoid, band, [near, far]) = (scene.ellipsoid, Band::new(scene.latitudes), scene.distances);
-        // The largest radius of curvature, a²/b.
-        let (polar, tan) = (ellipsoid.a() / (1.0 - ellipsoid.f()), band.tan());
-        let input = if !single {
-            0.0
-        } else if scene.local {
-            // The middle latitude is rounded, too, and with it the length of a degree of longitude.
-            let middle = 0.5 * ulp(band.steepest.degrees) * DEGREE * tan;
-            hypot(polar * band.half, far) * f32::EPSILON as f64 + far * middle
-        } else {
-            polar * DEGREE * hypot(ulp(band.steepest.degrees), ulp(180.0) * (band.flattest.cos + 1e-7))
+        let input = match (single, scene.local) {
+            (false, _) => 0.0,
+            (true, true) => {
+                hypot(largest(ellipsoid) * band.half, far) * f32::EPSILON as f64 + middle_rounded(band) * far
+            }
+            (true, false) => places_rounded(ellipsoid, band, 0.0),
         };
         Self {
             ellipsoid,
@@ -44,7 +40,7 @@ impl Models {
             single,
             local: scene.local,
             input,
-            tan,
+            tan: band.tan(),
             arc: far / smallest(ellipsoid),
         }
     }
@@ -157,14 +153,14 @@ impl Models {
 
     /// σ, how far it is past a right angle in right angles, and what it lacks to π.
     const fn angle(&self) -> [f64; 3] {
-        let sigma = (self.far / smallest_axis(self.ellipsoid)).min(PI);
+        let sigma = (self.far / polar_radius(self.ellipsoid)).min(PI);
         [sigma, (2.0 / PI * sigma - 1.0).max(0.0), PI - sigma]
     }
 
     /// An azimuth's error between places a distance apart, of a relative one and one in metres: over the reduced length, which is at least (s/π)(π − 2πf − s/b)(1 − 2f).
     const fn turn(&self, s: f64, relative: f64, across: f64) -> f64 {
         let f = self.ellipsoid.f();
-        let share = (1.0 - 2.0 * f) * (1.0 - 2.0 * f - s / (PI * smallest_axis(self.ellipsoid)));
+        let share = (1.0 - 2.0 * f) * (1.0 - 2.0 * f - s / (PI * polar_radius(self.ellipsoid)));
         let off = relative + if across > 0.0 { across / (s - across) } else { 0.0 };
         if share <= 0.0 || s < across {
             f64::INFINITY
@@ -180,11 +176,30 @@ const fn vincenty(f: f64) -> f64 {
     (4e-5 * (part * part * part * part * part)).max(2e-8)
 }
 
-/// The smallest radius of curvature, b²/a.
-pub(super) const fn smallest(ellipsoid: Ellipsoid<f64>) -> f64 {
-    smallest_axis(ellipsoid) * (1.0 - ellipsoid.f())
+/// Two places at a height moved to the nearest latitudes and longitudes in single precision: metres.
+pub(super) const fn places_rounded(ellipsoid: Ellipsoid<f64>, band: Band, height: f64) -> f64 {
+    let angles = hypot(ulp(band.steepest.degrees), ulp(180.0) * (band.flattest.cos + 1e-7));
+    (largest(ellipsoid) + height) * DEGREE * angles
 }
 
-pub(super) const fn smallest_axis(ellipsoid: Ellipsoid<f64>) -> f64 {
+/// How far the length of a degree of longitude is off, relative, where an origin's latitude is rounded to single precision.
+pub(super) const fn middle_rounded(band: Band) -> f64 {
+    0.5 * ulp(band.steepest.degrees) * DEGREE * band.tan()
+}
+
+// `Ellipsoid` has these for every scalar, and so not in constants.
+
+/// The smallest radius of curvature, b²/a.
+pub(super) const fn smallest(ellipsoid: Ellipsoid<f64>) -> f64 {
+    polar_radius(ellipsoid) * (1.0 - ellipsoid.f())
+}
+
+/// The largest radius of curvature, a²/b.
+const fn largest(ellipsoid: Ellipsoid<f64>) -> f64 {
+    ellipsoid.a() / (1.0 - ellipsoid.f())
+}
+
+/// The semi-minor axis b.
+pub(super) const fn polar_radius(ellipsoid: Ellipsoid<f64>) -> f64 {
     ellipsoid.a() * (1.0 - ellipsoid.f())
 }

@@ -11,7 +11,7 @@
 //! | [`Scene::figure`] | a sphere without a shift, a sphere with one, the ellipsoid |
 //! | [`Scene::tiles`] | from which level a tile is its four corners, or a series |
 //!
-//! Every question is a `const fn` and takes some 70 to 110 ns at run time. A constant scene is answered by the compiler: a scene that nothing can serve does not compile, and
+//! Every question is a `const fn` and takes some 70 to 110 ns at run time (`scalar`, which asks three times, 200). A constant scene is answered by the compiler: a scene that nothing can serve does not compile, and
 //! what was not chosen is not linked.
 //!
 //! **A quadcopter's geofence**: a kilometre about the field, five centimetres, single precision. Differences from the field's middle in degrees fit it, and a plane.
@@ -242,7 +242,7 @@ impl Scene {
         const fn ordered([low, high]: [f64; 2], least: f64, most: f64) -> bool {
             least <= low && low <= high && high <= most
         }
-        let polar = self.ellipsoid.a() * (1.0 - self.ellipsoid.f());
+        let polar = bounds::polar_radius(self.ellipsoid);
         if !(self.ellipsoid.f() >= 0.0 && self.ellipsoid.f() <= 0.01) {
             Some(SceneError::Flattening(self.ellipsoid.f()))
         } else if !ordered(self.latitudes, -90.0, 90.0) {

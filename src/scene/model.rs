@@ -50,8 +50,7 @@ impl Model {
             Self::Plane => 320,
             Self::Flat => 450,
             Self::Sphere => 950,
-            Self::Andoyer => 1000,
-            Self::Vincenty | Self::Karney => 1000,
+            Self::Andoyer | Self::Vincenty | Self::Karney => 1000,
         }
     }
 }

@@ -1,7 +1,7 @@
 use core::marker::PhantomData;
 
-use super::band::{Band, DEGREE, hypot, root, ulp};
-use super::bounds::{smallest, smallest_axis};
+use super::band::{Band, root, ulp};
+use super::bounds::{middle_rounded, places_rounded, polar_radius, smallest};
 use super::{Bound, Expansion, Scene, SceneError};
 use crate::{Enu, Geodetic, LocalFrame, Real};
 
@@ -44,7 +44,8 @@ impl Scene {
     /// | quadratic | 1.25 q² (ρ q (0.25 + 0.26 t²) + Δ √(t²/3 + 1/4)) | the same |
     /// | full | none | |
     ///
-    /// and rounding: the terms of the next order of the series, the largest over all azimuths, and room for the rest.
+    /// and rounding: the terms of the next order of the series, the largest over all azimuths, and room for the rest. Rounding is 2·10⁻¹⁵ (r + Δ) in `f64`; in `f32` 5·10⁻⁷ (r + Δ)
+    /// and that of the places, as for [`distances`](Self::distances).
     ///
     /// # Errors
     /// [`SceneError::OutOfReach`] with what the best model reaches in this scalar; the others if the scene is none.
@@ -61,20 +62,22 @@ impl Scene {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub const fn positions<T: Real>(&self) -> Result<Positions<T>, SceneError> {
-        let mut best = f64::INFINITY;
-        let mut rest: &[View] = &View::ALL;
-        while let [view, dearer @ ..] = rest {
-            match self.positions_by(*view) {
-                Ok(positions) if positions.bound <= self.tolerance => return Ok(positions),
-                Ok(positions) => best = best.min(positions.bound),
-                Err(error) => return Err(error),
-            }
-            rest = dearer;
+        if let Some(error) = self.fault() {
+            return Err(error);
         }
-        Err(SceneError::OutOfReach(Bound {
-            distance: best,
-            azimuth: f64::INFINITY,
-        }))
+        let [linear, quadratic, full] = self.position_bounds(T::DIGITS < f64::MANTISSA_DIGITS);
+        if linear <= self.tolerance {
+            Ok(Positions::of(View::Linear, linear, *self))
+        } else if quadratic <= self.tolerance {
+            Ok(Positions::of(View::Quadratic, quadratic, *self))
+        } else if full <= self.tolerance {
+            Ok(Positions::of(View::Full, full, *self))
+        } else {
+            Err(SceneError::OutOfReach(Bound {
+                distance: linear.min(quadratic).min(full),
+                azimuth: f64::INFINITY,
+            }))
+        }
     }
 
     /// A model of positions, whatever the tolerance: its [`bound`](Positions::bound) in this scene, infinite where the model is none.
@@ -85,58 +88,52 @@ impl Scene {
         if let Some(error) = self.fault() {
             return Err(error);
         }
-        let [linear, quadratic] = self.truncation();
-        let truncation = match view {
+        let [linear, quadratic, full] = self.position_bounds(T::DIGITS < f64::MANTISSA_DIGITS);
+        let bound = match view {
             View::Linear => linear,
             View::Quadratic => quadratic,
-            View::Full if self.local => f64::INFINITY,
-            View::Full => 0.0,
+            View::Full => full,
         };
-        Ok(Positions {
-            view,
-            bound: truncation + self.position_rounding(T::DIGITS < f64::MANTISSA_DIGITS),
-            scene: *self,
-            scalar: PhantomData,
-        })
+        Ok(Positions::of(view, bound, *self))
     }
 
-    /// Of the first and the second order.
-    const fn truncation(&self) -> [f64; 2] {
-        let [_, far] = self.distances;
-        let [low, high] = self.heights;
-        let r = smallest(self.ellipsoid);
-        let (tan, arc) = (Band::new(self.latitudes).tan(), far / r);
-        let (tan2, arc2) = (tan * tan, arc * arc);
-        if arc2 > 0.04 || arc2 * tan2 > 0.16 {
-            return [f64::INFINITY; 2];
+    /// Of all three models.
+    const fn position_bounds(&self, single: bool) -> [f64; 3] {
+        let ([_, far], [low, high]) = (self.distances, self.heights);
+        let (range, height) = (high - low, low.abs().max(high.abs()));
+        let (band, r) = (Band::new(self.latitudes), smallest(self.ellipsoid));
+        let (tan, arc) = (band.tan(), far / r);
+        let relative = if single { 5e-7 } else { 2e-15 };
+        let rounding = relative * (far + range)
+            + match (single, self.local) {
+                (false, _) => 0.0,
+                (true, true) => middle_rounded(band) * far,
+                (true, false) => places_rounded(self.ellipsoid, band, height) + ulp(height),
+            };
+        let full = if self.local { f64::INFINITY } else { rounding };
+        if arc > 0.2 || arc * tan > 0.4 {
+            return [f64::INFINITY, f64::INFINITY, full];
         }
-        let q = arc * (1.0 + low.abs().max(high.abs()) / smallest_axis(self.ellipsoid));
-        let bend = root(tan2 / 3.0 + 0.25);
+        let q = arc * (1.0 + height / polar_radius(self.ellipsoid));
+        let bend = root(tan * tan / 3.0 + 0.25);
         [
-            1.1 * q * (r * q * bend + (high - low)),
-            1.25 * q * q * (r * q * (0.25 + 0.26 * tan2) + (high - low) * bend),
+            1.1 * q * (r * q * bend + range) + rounding,
+            1.25 * q * q * (r * q * (0.25 + 0.26 * tan * tan) + range * bend) + rounding,
+            full,
         ]
-    }
-
-    const fn position_rounding(&self, single: bool) -> f64 {
-        let [_, far] = self.distances;
-        let [low, high] = self.heights;
-        let (height, reach) = (low.abs().max(high.abs()), far + (high - low));
-        let band = Band::new(self.latitudes);
-        match (single, self.local) {
-            (false, _) => 2e-15 * reach,
-            // The origin's latitude is rounded, too, and with it the length of a degree of longitude.
-            (true, true) => 5e-7 * reach + 0.5 * ulp(band.steepest.degrees) * DEGREE * far * band.tan(),
-            (true, false) => {
-                let angles = hypot(ulp(band.steepest.degrees), ulp(180.0) * (band.flattest.cos + 1e-7));
-                let polar = self.ellipsoid.a() / (1.0 - self.ellipsoid.f());
-                (polar + height) * DEGREE * angles + ulp(height) + 5e-7 * reach
-            }
-        }
     }
 }
 
 impl<T: Real> Positions<T> {
+    const fn of(view: View, bound: f64, scene: Scene) -> Self {
+        Self {
+            view,
+            bound,
+            scene,
+            scalar: PhantomData,
+        }
+    }
+
     /// The model.
     #[must_use]
     pub const fn view(&self) -> View {
