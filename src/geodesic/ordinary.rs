@@ -14,7 +14,7 @@ use super::degrees::{Split, off_pole, wrapped};
 use super::karney::Series;
 use super::{Direct, Inverse};
 use crate::math::{
-    Polynomial, choose, either, halves, max, octant, sin_cos, sin_cos_degrees, sin_cos_eighth, sin_cos_quarter,
+    Polynomial, choose, either, halves, max, octant, select, sin_cos, sin_cos_degrees, sin_cos_eighth, sin_cos_quarter,
 };
 use crate::{Ellipsoid, LatLon, Real};
 
@@ -363,9 +363,16 @@ impl<T: Real> Ordinary<T> {
         let shift = self.f * (sin_alpha * (a3 * sigma + bend));
         let lon = angle_degrees(east, outward) - shift * T::of(180.0 / PI);
         let lat = angle_degrees(up, self.axes * (east * east + outward * outward).sqrt());
+        // Next to a pole rounding turns the meridian; the azimuth counts from the one that the longitude names, at the pole itself from
+        // the first one.
+        let (eastward, inward) = (sin_azimuth * cos, cos1 * sin + sin1 * cos * cos_azimuth);
+        let outward = either((east == T::ZERO) & (outward == T::ZERO), T::ONE) + outward;
+        let polar = up * up > T::of(0.75);
+        let course = select(polar, (outward * eastward + east * inward) * up.abs(), sin_alpha);
+        let ahead = select(polar, (outward * inward - east * eastward) * T::ONE.copysign(up), north);
         let there = Direct {
             position: LatLon::within(lat, wrapped(from.lon() + wrapped(lon))),
-            azimuth: angle_degrees(sin_alpha, north),
+            azimuth: angle_degrees(course, ahead),
         };
         let few = (azimuth.abs() <= T::of(360.0)) & (tau.abs() <= T::pick(1000.0, 60.0));
         (there, few & self.holds())

@@ -226,3 +226,29 @@ fn places_next_to_the_equator_on_both_sides_of_the_180th_meridian() {
         );
     }
 }
+
+fn next_to_a_pole<T: Scalar>(most: f64) {
+    let karney = Karney::new(Ellipsoid::<T>::wgs84()).unwrap();
+    let mut rng = fastrand::Rng::with_seed(19);
+    let mut worst = 0.0_f64;
+    for _ in 0..20_000 {
+        // From a place next to a pole, however near, back to it.
+        let near = (90.0 - 10.0_f64.powf(rng.f64() * 17.0 - 16.0)).copysign(rng.f64() - 0.5);
+        let [lon, azimuth] = [0; 2].map(|_| T::of(rng.f64() * 360.0 - 180.0));
+        let pole = place(T::of(near), lon);
+        let start = karney.direct(pole, azimuth, T::of(rng.f64() * 2e7)).unwrap();
+        let line = karney.inverse(start.position, pole).unwrap();
+        let there = karney.direct(start.position, line.azimuth1, line.distance).unwrap();
+        let back = karney.direct(there.position, there.azimuth, -line.distance).unwrap();
+        let off = karney.inverse(back.position, start.position).unwrap().distance.into();
+        worst = worst.max(off);
+    }
+    assert!(worst < most, "{}: {worst:e} m", T::NAME);
+}
+
+/// The azimuth counts from the meridian of the longitude that is given, though rounding turned that meridian: the way back was up to a whole turn off.
+#[test]
+fn lines_that_end_next_to_a_pole_lead_back() {
+    next_to_a_pole::<f64>(1e-8);
+    next_to_a_pole::<f32>(4.0);
+}

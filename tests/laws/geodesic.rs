@@ -208,18 +208,8 @@ fn direct<T: Scalar>(bytes: &mut Bytes<'_>) {
     }
     let back = karney.direct(there.position, there.azimuth, -distance).unwrap();
     let error = apart(ellipsoid, from, coordinates(back.position));
-    // The azimuth there rounds too, and turns the way back; next to a pole by what its documentation says.
-    let pole = (90.0 - there.position.lat().into().abs()).to_radians();
-    let turned = if pole < 0.1 {
-        10.0 * T::EPSILON.into() / pole * ellipsoid.a().into()
-    } else {
-        0.0
-    };
-    assert!(
-        error <= 3.0 * allowed + turned,
-        "{}, back at {back:?}, {error:e} off",
-        context()
-    );
+    // The azimuth there rounds too, and turns the way back.
+    assert!(error <= 3.0 * allowed, "{}, back at {back:?}, {error:e} off", context());
 }
 
 /// Reduced length and scales, where they are well-conditioned.

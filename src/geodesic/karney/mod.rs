@@ -36,9 +36,6 @@ pub use polygon::PolygonArea;
 /// The general way: series in the third flattening to order 6 on the Earth's ellipsoids and up to 12 beyond them; shorter ones in `f32`; Newton's
 /// method with a bracket, at most 83 steps (`f64`), in practice 2 to 5.
 ///
-/// At ρ radians from a pole the azimuth where a direct line ends may be 10 ε/ρ off, ε the scalar's [`Real::EPSILON`], seen from the longitude there; [`Line`] has the two within 10 ε of each other, for who
-/// goes on from there.
-///
 /// C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013).
 ///
 /// ```
