@@ -227,6 +227,20 @@ fn places_next_to_the_equator_on_both_sides_of_the_180th_meridian() {
     }
 }
 
+/// Latitudes an ulp apart whose parametric sines round to the other order: the cosine of an azimuth was the root of a negative number.
+#[test]
+fn all_but_equal_latitudes_have_a_line() {
+    let karney = Karney::new(Ellipsoid::<f64>::new(6.4e6, -1.0 / 9.0).unwrap()).unwrap();
+    for lon in [1e-200, 9.704_187_067_161_276e-101, 1e-30] {
+        let (from, to) = (
+            place(22.500_000_000_003_453, lon),
+            place(-22.500_000_000_003_457, -180.0),
+        );
+        let distance = karney.inverse(from, to).unwrap().distance;
+        assert!((distance - 20_303_021.049_734).abs() < 1e-6, "{lon:e}: {distance}");
+    }
+}
+
 fn next_to_a_pole<T: Scalar>(most: f64) {
     let karney = Karney::new(Ellipsoid::<T>::wgs84()).unwrap();
     let mut rng = fastrand::Rng::with_seed(19);

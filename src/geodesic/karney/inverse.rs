@@ -81,13 +81,17 @@ impl<T: Real> Canonical<T> {
         let (beta1, radius1) = karney.reduced(lat1);
         let (mut beta2, radius2) = karney.reduced(lat2);
         let (rise, _) = Split::sum(lat2, -lat1).sin_cos();
-        // |β₁| = |β₂| exactly where rounding would hide it: the smaller of sine and cosine tells more.
-        if beta1.cos < -beta1.sin {
-            if beta2.cos == beta1.cos {
-                beta2.sin = beta1.sin.copysign(beta2.sin);
-            }
-        } else if beta2.sin.abs() == -beta1.sin {
-            beta2.cos = beta1.cos;
+        // |β₁| = |β₂| exactly where rounding would hide it, or turn it round: the smaller of sine and cosine tells more.
+        let level = if beta1.cos < -beta1.sin {
+            beta2.cos <= beta1.cos
+        } else {
+            beta2.sin.abs() >= -beta1.sin
+        };
+        if level {
+            beta2 = Angle {
+                sin: beta1.sin.copysign(beta2.sin),
+                cos: beta1.cos,
+            };
         }
         Self {
             beta1,
