@@ -125,6 +125,63 @@ fn worst_points_back() {
     }
 }
 
+/// The largest error of the way back that climbing from the worst of a million points finds, and where.
+#[cfg(test)]
+fn climb<T: Scalar>(projection: Projection) -> (f64, FacePoint<T>) {
+    let mut rng = fastrand::Rng::with_seed(7);
+    let error = |face: Face, x: f64, y: f64| {
+        let bounded = |v: f64| T::of(v.clamp(-1.0, 1.0));
+        let point = FacePoint::new(face, bounded(x), bounded(y)).unwrap();
+        (error_back(projection, point).unwrap(), point)
+    };
+    let mut found: Vec<(f64, FacePoint<T>)> = (0..1_000_000)
+        .map(|_| {
+            let near = |rng: &mut fastrand::Rng| rng.f64() * 10.0_f64.powf(-4.0 * rng.f64());
+            let x = if rng.bool() { rng.f64() } else { 1.0 - near(&mut rng) };
+            let y = if rng.bool() { rng.f64() } else { x - near(&mut rng) };
+            // Of the other faces Healpix's equatorial ones alone are different.
+            error(rng.choice([Face::Top, Face::Front]).unwrap(), x, y)
+        })
+        .collect();
+    found.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    found.truncate(60);
+    for (most, at) in &mut found {
+        for _ in 0..4000 {
+            let mut moved = |v: T| v.into() + (rng.f64() - 0.5) * 10.0_f64.powf(-16.0 * rng.f64());
+            let (error, point) = error(at.face(), moved(at.x()), moved(at.y()));
+            if error > *most {
+                (*most, *at) = (error, point);
+            }
+        }
+    }
+    found.into_iter().max_by(|(a, _), (b, _)| a.total_cmp(b)).unwrap()
+}
+
+/// No point is found whose way back is farther from the truth than claimed.
+#[cfg(test)]
+#[test]
+#[ignore = "a search of minutes"]
+fn climbing_finds_nothing_worse() {
+    let mut exceeded = vec![];
+    for &projection in Projection::ALL {
+        let (_, [double, single]) = claims_of(projection);
+        let worst = climb::<f32>(projection);
+        println!("{projection} f32: {:e} of {single:e} at {:?}", worst.0, worst.1);
+        if worst.0 > single {
+            exceeded.push((projection, "f32"));
+        }
+        if projection == Projection::Conformal || projection == Projection::CobeExact {
+            continue; // no formula in twice the digits
+        }
+        let worst = climb::<f64>(projection);
+        println!("{projection} f64: {:e} of {double:e} at {:?}", worst.0, worst.1);
+        if worst.0 > double {
+            exceeded.push((projection, "f64"));
+        }
+    }
+    assert!(exceeded.is_empty(), "{exceeded:?}");
+}
+
 /// The formula back leads from where a direction is put to where it was.
 fn forward_is_true<T: Scalar>(bytes: &mut Bytes<'_>) {
     let projection = bytes.projection();
