@@ -340,6 +340,16 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     }
 
     #[inline(always)]
+    fn quarters(self, (sin, cos): (Self, Self)) -> (Self, Self) {
+        let (mut sin, mut cos) = (sin, cos);
+        (sin.value, cos.value) = self.value.quarters((sin.value, cos.value));
+        for (s, c) in sin.slopes.iter_mut().zip(&mut cos.slopes) {
+            (*s, *c) = self.value.quarters((*s, *c));
+        }
+        (sin, cos)
+    }
+
+    #[inline(always)]
     fn floor(self) -> i32 {
         self.value.floor()
     }

@@ -3,7 +3,7 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::math::{Polynomial, complex_polynomial, remainder};
+use crate::math::{Polynomial, complex_polynomial, remainder, repeat};
 
 pub(crate) mod sealed {
     pub trait Sealed {}
@@ -145,6 +145,11 @@ pub trait Real:
     #[must_use]
     fn round(self) -> Self;
 
+    /// Sine and cosine turned by a whole number of quarter circles, `self`, for as large ones as [`round`](Self::round) takes. By the number's
+    /// bits: no machine takes a branch for it.
+    #[must_use]
+    fn quarters(self, turned: (Self, Self)) -> (Self, Self);
+
     /// The largest whole number that is not larger, for |x| < 2³¹.
     #[must_use]
     fn floor(self) -> i32;
@@ -226,9 +231,10 @@ macro_rules! real {
                 if table.len() <= 8 {
                     let mut terms = table.iter().rev();
                     let mut sum = terms.next().copied().unwrap_or(0.0);
-                    for &c in terms {
-                        sum = sum * self + c;
-                    }
+                    // Not a loop, for size either: coefficients as constants, without the other precision's.
+                    repeat!(table.len() - 1, {
+                        sum = sum * self + terms.next().copied().unwrap_or(0.0);
+                    });
                     return sum;
                 }
                 let square = self * self;
@@ -305,6 +311,18 @@ macro_rules! real {
             #[inline(always)]
             fn round(self) -> Self {
                 (self + $magic) - $magic
+            }
+
+            #[inline(always)]
+            fn quarters(self, (sin, cos): (Self, Self)) -> (Self, Self) {
+                let quarters = (self + $magic).to_bits();
+                let (sin, cos) = (sin.to_bits(), cos.to_bits());
+                let swap = (sin ^ cos) & (quarters & 1).wrapping_neg();
+                let sign = |quarters: $bits| (quarters & 2) << ($bits::BITS - 2);
+                (
+                    $float::from_bits(sin ^ swap ^ sign(quarters)),
+                    $float::from_bits(cos ^ swap ^ sign(quarters + 1)),
+                )
             }
 
             #[inline(always)]

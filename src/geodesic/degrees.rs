@@ -1,7 +1,7 @@
 //! Angles in degrees for the methods: differences with what their rounding lost, and what is done at every method's door.
 
 use super::GeodesicError;
-use crate::math::{max, select, sin_cos_degrees};
+use crate::math::{either, max, select, sin_cos_degrees};
 use crate::{LatLon, Real};
 
 /// An angle as the sum of a number and a small rest.
@@ -52,9 +52,8 @@ pub(super) fn latitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> Sp
 pub(super) fn longitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> Split<T> {
     let half_circle = T::of(180.0);
     let whole = Split::sum(to.lon() + T::ZERO, -from.lon());
-    let over = select(whole.angle > half_circle, half_circle, T::ZERO);
-    let under = select(whole.angle < -half_circle, half_circle, T::ZERO);
-    let turned = Split::sum(((whole.angle - over) - over) + (under + under), whole.rest);
+    let over = either(whole.angle.abs() > half_circle, half_circle.copysign(whole.angle));
+    let turned = Split::sum((whole.angle - over) - over, whole.rest);
     // A half circle and a little more is a half circle less that little, the other way round.
     let beyond = (turned.angle.abs() == half_circle) & (turned.angle * turned.rest > T::ZERO);
     let angle = select(beyond, -turned.angle, turned.angle);
@@ -89,6 +88,7 @@ pub(super) fn heading<T: Real>(azimuth: T, distance: T) -> Result<(T, T), Geodes
 
 /// √(x² + y²), of the smallest numbers too.
 #[cfg_attr(not(small), inline(always))]
+#[cfg_attr(small, inline(never))]
 pub(super) fn hypot<T: Real>(x: T, y: T) -> T {
     let small = max(x.abs(), y.abs()) < T::pick(3.054_936_363_499_605e-151, 8.673_617_4e-19);
     // 2^±600 and 2^±100.

@@ -113,8 +113,11 @@ impl<T: Real> Reduced<T> {
         // Far from the ends of the scalar's range: 2^±200 (2^±40) brings there what is not.
         let grow = T::pick(1.606_938_044_258_990_3e60, 1.099_511_6e12);
         let shrink = T::pick(6.223_015_277_861_142e-61, 9.094_947e-13);
-        let scale = select(larger < T::pick(1e-200, 1e-20), grow, T::ONE)
-            * select(larger > T::pick(1e200, 1e20), shrink, T::ONE);
+        let scale = select(
+            larger < T::pick(1e-200, 1e-20),
+            grow,
+            select(larger > T::pick(1e200, 1e20), shrink, T::ONE),
+        );
         let (larger, smaller) = (larger * scale, smaller * scale);
         let beyond = [
             either(smaller > larger * T::of(7.0 / 16.0), T::ONE),

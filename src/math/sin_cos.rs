@@ -28,7 +28,7 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     let limit = T::pick(1e5, 100.0);
     let r = select(x.abs() <= limit, r, T::of(f64::NAN));
     let [result, _] = reduced(r, low, T::ZERO);
-    quadrant(q, result)
+    q.quarters(result)
 }
 
 /// Sine and cosine of an angle in degrees.
@@ -46,7 +46,7 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
 pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
     let (q, (high, low)) = quarter_and_rest(x);
     let [result, _] = reduced(high, low, T::ZERO);
-    zero_of_sign(quadrant(q, result), x)
+    zero_of_sign(q.quarters(result), x)
 }
 
 /// Sine and cosine as [`sin_cos_degrees`] gives them but for a rounding, and what is to be added to each: together within 0.2 ulp.
@@ -56,7 +56,7 @@ pub(crate) fn sin_cos_degrees_with_rest<T: Real>(x: T) -> [(T, T); 2] {
     let (head, tail) = high.split();
     let square_lost = ((head * head - high * high) + (head + head) * tail) + tail * tail;
     let [result, rest] = reduced(high, low, square_lost * T::of(0.5));
-    [zero_of_sign(quadrant(q, result), x), quadrant(q, rest)]
+    [zero_of_sign(q.quarters(result), x), q.quarters(rest)]
 }
 
 /// The nearest multiple of 90°, and the rest in radians as a sum of two numbers.
@@ -124,22 +124,4 @@ pub(crate) fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
 pub(crate) fn sin_cos_small<T: Real>(x: T) -> (T, T) {
     let [result, _] = reduced(x, T::ZERO, T::ZERO);
     result
-}
-
-/// Turns the sine and cosine of the remainder by q quarter circles.
-#[inline(always)]
-fn quadrant<T: Real>(q: T, (sin, cos): (T, T)) -> (T, T) {
-    // q mod 4 in {−2, …, 2} without leaving the scalar, exact.
-    let m = q - (q * T::of(0.25)).round() * T::of(4.0);
-    // A choice by factors of 0 and 1: no machine takes a branch for it. Their signs are those of sine and cosine at the middle
-    // of each quadrant.
-    let odd = select(m.abs() == T::ONE, T::ONE, T::ZERO);
-    let even = T::ONE - odd;
-    let (half, more) = (T::of(0.5), T::of(1.5));
-    let s_sign = (half + m) * (more - m);
-    let c_sign = (half - m) * (more + m);
-    (
-        sin * even.copysign(s_sign) + cos * odd.copysign(s_sign),
-        cos * even.copysign(c_sign) + sin * odd.copysign(c_sign),
-    )
 }

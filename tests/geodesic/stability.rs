@@ -1,7 +1,7 @@
 //! Every method at awkward places: finite, in range, and refused only for a reason.
 
 use terrella::geodesic::{
-    Andoyer, AndoyerSecond, Bowring, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Karney, Vincenty,
+    Andoyer, AndoyerSecond, Area, Bowring, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Karney, Vincenty,
 };
 use terrella::{Ellipsoid, LatLon};
 
@@ -238,6 +238,23 @@ fn all_but_equal_latitudes_have_a_line() {
         );
         let distance = karney.inverse(from, to).unwrap().distance;
         assert!((distance - 20_303_021.049_734).abs() < 1e-6, "{lon:e}: {distance}");
+    }
+}
+
+/// Opposite longitudes all but a rounding: in `f32` a line passed the pole on the other side, and the area under it had the other sign.
+#[test]
+fn lines_pass_a_pole_on_their_side() {
+    let (single, double) = (
+        Area::new(Ellipsoid::<f32>::wgs84()).unwrap(),
+        Area::new(Ellipsoid::<f64>::wgs84()).unwrap(),
+    );
+    for lat in [89.981_36_f32, 89.0, 80.0, 45.0, 1.0, -1.0, -89.0] {
+        for lon in [-2.425_776_7e-9_f32, -1e-20, -1e-7, -1e-5] {
+            let found = single.under(place(lat, 180.0), place(lat, lon));
+            let expected = double.under(place(lat.into(), 180.0), place(lat.into(), lon.into()));
+            let error = (f64::from(found) - expected).abs();
+            assert!(error < 1e-6 * expected.abs(), "{lat} {lon:e}: {found:e}, {expected:e}");
+        }
     }
 }
 

@@ -267,6 +267,8 @@ impl<T: Real> Canonical<T> {
             let scale = karney.axes * dn;
             let more = ellipsoid.e2() * (cosines / (sines + cosines)) / (scale * (T::ONE + scale));
             omega = omega.plus(Angle::radians(self.lambda * more));
+            // Rounded past π it would pass the pole on the other side, and half of the ellipsoid be under it with the other sign.
+            omega.sin = select(omega.sin < T::ZERO, tiny(), omega.sin);
         }
         // β₁ + β₂ in (−π, 0].
         let sum_sin = beta2.sin * beta1.cos + beta2.cos * beta1.sin;
