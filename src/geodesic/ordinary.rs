@@ -211,8 +211,8 @@ impl<T: Real> Ordinary<T> {
         let (around, east) = (angle.abs(), T::ONE.copysign(angle));
         let over = around > T::of(180.0);
         let turn = T::ONE - either(over, T::of(2.0));
-        let lon = either(over, T::of(360.0)) + turn * around;
-        let rest = rest * east * turn;
+        // Next to 360° the rest is all there is.
+        let Split { angle: lon, rest } = Split::sum(either(over, T::of(360.0)) + turn * around, rest * east * turn);
         let east = east * turn;
         let swap = from.lat().abs() < to.lat().abs();
         let lat1 = choose(swap, to.lat(), from.lat());

@@ -209,21 +209,22 @@ fn vincenty_answers_where_numbers_are_subnormal() {
     }
 }
 
-/// A rest of the longitudes' difference that is far larger than latitudes next to the equator: their line was 6.7 km long.
+/// A rest of the longitudes' difference that is far larger than latitudes next to the equator: their line was 6.7 km long, or NaN.
 #[test]
 fn places_next_to_the_equator_on_both_sides_of_the_180th_meridian() {
-    let karney = Karney::new(Ellipsoid::<f64>::wgs84()).unwrap();
-    for lat in [3e-14, 3e-30, 3.022_224_993_467_109_4e-57, 3e-99, 3e-200, 0.0] {
-        let (from, to) = (
-            LatLon::new(lat, 180.0).unwrap(),
-            LatLon::new(0.0, -179.999_999_999_999_97).unwrap(),
-        );
-        let [distance, exact] =
-            [karney.inverse(from, to).unwrap(), karney.solve(from, to).inverse].map(|way| way.distance);
-        assert!(
-            distance < 6e-9 && (distance - exact).abs() < 1e-11,
-            "{lat:e}: {distance:e}, {exact:e}"
-        );
+    for f in [1.0 / 298.257_223_563, -0.003_977_724_557_181_414, 1e-9] {
+        let karney = Karney::new(Ellipsoid::<f64>::new(6.4e6, f).unwrap()).unwrap();
+        for lat1 in [3e-14, 3e-30, 1.8e-39, 3.022_224_993_467_109_4e-57, 3e-99, 3e-200, 0.0] {
+            for lat2 in [0.0, 2.37e-322, 1e-99, 1e-30, lat1] {
+                let (from, to) = (place(lat1, 180.0), place(-lat2, -179.999_999_999_999_97));
+                let [distance, exact] =
+                    [karney.inverse(from, to).unwrap(), karney.solve(from, to).inverse].map(|way| way.distance);
+                assert!(
+                    distance < 8e-9 && (distance - exact).abs() < 1e-11,
+                    "{f:e} {lat1:e} {lat2:e}: {distance:e}, {exact:e}"
+                );
+            }
+        }
     }
 }
 
