@@ -321,7 +321,7 @@ macro_rules! real {
                 let sign = |quarters: $bits| (quarters & 2) << ($bits::BITS - 2);
                 (
                     $float::from_bits(sin ^ swap ^ sign(quarters)),
-                    $float::from_bits(cos ^ swap ^ sign(quarters + 1)),
+                    $float::from_bits(cos ^ swap ^ sign(quarters.wrapping_add(1))),
                 )
             }
 

@@ -158,6 +158,25 @@ fn cube_roots_next_to_the_largest() {
     }
 }
 
+/// NaN of any bits: their integer is no number to count on with.
+#[test]
+fn no_number_has_no_sine() {
+    for bits in [u32::MAX, 0x7FC0_0000, 0x7F80_0001, f32::INFINITY.to_bits()] {
+        let x = f32::from_bits(bits);
+        assert!(
+            math::sin_cos(x).0.is_nan() && math::sin_cos_degrees(x).1.is_nan(),
+            "{bits:x}"
+        );
+    }
+    for bits in [u64::MAX, f64::NAN.to_bits(), f64::INFINITY.to_bits()] {
+        let x = f64::from_bits(bits);
+        assert!(
+            math::sin_cos(x).0.is_nan() && math::sin_cos_degrees(x).1.is_nan(),
+            "{bits:x}"
+        );
+    }
+}
+
 #[test]
 fn logarithm_and_exponential_at_the_ends() {
     fn check<T: Scalar>(least: f64, overflows: f64, digits: f64) {
