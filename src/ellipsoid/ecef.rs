@@ -8,7 +8,7 @@ impl<T: Real> Ellipsoid<T> {
     ///
     /// X = (N + h) cos φ cos λ, Y = (N + h) cos φ sin λ, Z = ((1 − e²)N + h) sin φ with N = a/√(1 − e² sin² φ).
     ///
-    /// Worst error on the Earth: 0.95 nm below 100 km, 6 nm at 50 000 km (`f64`); 0.5 m, 3.2 m (`f32`); 0.8 ulp of the radius. Exactly on the axis at
+    /// Worst error on the Earth: 0.95 nm below 100 km, 6 nm at 50 000 km (`f64`); 0.5 m, 3.2 m (`f32`); 0.82 ulp of the radius. Exactly on the axis at
     /// the poles, exactly on the axes and planes at multiples of 90°.
     ///
     /// ```

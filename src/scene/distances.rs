@@ -30,12 +30,14 @@ impl Scene {
     /// | [`Vincenty`] | 2·10⁻⁸ m on the Earth, (60f)⁵ 4·10⁻⁵ m if more | rounding | |
     /// | [`Karney`] | 7·10⁻⁹ m on the Earth | rounding | |
     ///
-    /// and rounding. Of a distance that is 2·10⁻¹⁵ s in `f64`, and for [`Andoyer`] 3 nm more; in `f32` 7·10⁻⁷ s, for [`Vincenty`] at most 7 m, for [`Karney`] 1.5·10⁻⁷ s + 4 m, for both 33 m
-    /// half way round, and the places' own: half a unit of each latitude and longitude, 1.9 m at the equator; about an origin 2⁻²³ of the way to it. Lengths are the Earth's, and in proportion elsewhere. An azimuth is off by 2·10⁻¹⁵ or
+    /// and rounding. Of a distance that is 2·10⁻¹⁵ s in `f64`, and for [`Andoyer`] 3 nm more; in `f32` 7·10⁻⁷ s, for [`Vincenty`] at most 7 m,
+    /// for [`Karney`] 1.5·10⁻⁷ s + 4 m, for both 33 m half way round, and the places' own: half a unit of each latitude and longitude, 1.9 m at
+    /// the equator; about an origin 2⁻²³ of the way to it. Lengths are the Earth's, and in proportion elsewhere. An azimuth is off by 2·10⁻¹⁵ or
     /// 10⁻⁶, and by the places' rounding, or 15 nm, over the reduced length.
     ///
-    /// The sphere's is a theorem: no curve is longer on the ellipsoid than N/R, or shorter than M/R, times as long as on
-    /// the sphere. A place reached by [`Geodesic::direct`](crate::geodesic::Geodesic::direct) is within the bound of the distance, and s times that of the azimuth, of the true one.
+    /// The sphere's is a theorem: no curve is longer on the ellipsoid than N/R, or shorter than M/R, times as long as on the sphere. A place
+    /// reached by [`Geodesic::direct`](crate::geodesic::Geodesic::direct) is within the bound of the distance, and s times that of the azimuth,
+    /// of the true one.
     ///
     /// # Errors
     /// [`SceneError::OutOfReach`] with the bound of the best model in this scalar; the others if the scene is none.
