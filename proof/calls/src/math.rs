@@ -34,6 +34,9 @@ fn scalar<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("Real::sqrt", unit, |x| Real::sqrt(Real::abs(x)));
     visitor.function::<T, _, _>("Real::remainder", two, |[x, y]| Real::remainder(x * T::of(1e5), y));
     visitor.function::<T, _, _>("Real::round", unit, |x| Real::round(x * T::of(1e6)));
+    visitor.function::<T, _, _>("Real::quarters", two, |[x, y]| {
+        Real::quarters(Real::round(x * T::of(1e3)), (x, y))
+    });
     visitor.function::<T, _, _>("Real::split", unit, |x| Real::split(x));
     visitor.function::<T, _, _>("Real, signs", two, |[x, y]| {
         let signs = [
