@@ -1,6 +1,6 @@
 //! Vincenty's formulas against the truth, and at the antipode.
 
-use geographiclib_rs::{Geodesic as Reference, InverseGeodesic};
+use geographiclib_rs::{DirectGeodesic, Geodesic as Reference, InverseGeodesic};
 use terrella::geodesic::{Geodesic, GeodesicError, Vincenty};
 use terrella::latitude::UnsupportedFlattening;
 use terrella::{Ellipsoid, LatLon};
@@ -177,6 +177,33 @@ fn all_answered(pairs: usize, pair: impl Fn(&mut fastrand::Rng, f64) -> [f64; 4]
             assert_eq!(outcome.refused, 0);
             assert!(outcome.distance <= claimed && outcome.azimuth <= claimed);
         }
+    }
+}
+
+/// How far ends of lines of up to half a circle are from GeographicLib's, along the latitude and along the meridian, in metres.
+fn ends<T: Scalar>(f: f64) -> f64 {
+    let (a, mut rng) = (6_378_137.0, fastrand::Rng::with_seed(13));
+    let vincenty = Vincenty::new(Ellipsoid::new(T::of(a), T::of(f)).unwrap()).unwrap();
+    let reference = Reference::new(a, f);
+    worst((0..3000).map(|_| {
+        let [lat, lon, azimuth, distance] = [80.0, 180.0, 180.0, 2e7].map(|most| T::of(most * signed(&mut rng)));
+        let end = vincenty.direct(place(lat, lon), azimuth, distance).unwrap().position;
+        let (lat2, lon2): (f64, f64) = reference.direct(lat.into(), lon.into(), azimuth.into(), distance.into());
+        let north = end.lat().into() - lat2;
+        let east = turned(end.lon(), lon2) * lat2.to_radians().cos();
+        a * north.to_radians().hypot(east)
+    }))
+}
+
+#[test]
+fn ends_of_flatter_ellipsoids_too() {
+    for (f, [double, single]) in FLATTENINGS {
+        let (double, single) = ((ends::<f64>(f), double), (ends::<f32>(f), single));
+        println!("{f:.5}: {double:?}, {single:?}");
+        assert!(
+            double.0 <= double.1 && single.0 <= single.1,
+            "{f:.5}: {double:?}, {single:?}"
+        );
     }
 }
 
