@@ -101,12 +101,6 @@ impl<T: Real> Ends<T> {
         self.side < T::ZERO
     }
 
-    /// The smaller cosine of the reduced latitudes: the largest sin α.
-    #[inline(always)]
-    pub fn steepest(&self) -> T {
-        min(self.u1.1, self.u2.1)
-    }
-
     /// The azimuths at both ends in degrees, once the longitude on the sphere has grown by so much of sin σ.
     #[cfg_attr(not(small), inline(always))]
     pub fn azimuths_after(&self, arc: &Arc<T>, shift: T) -> (T, T) {
@@ -225,14 +219,6 @@ impl<T: Real> Start<T> {
     pub fn cos_middle(&self, (sin, cos): (T, T)) -> T {
         let (sin_twice, cos_twice) = self.twice;
         cos_twice * cos - sin_twice * sin
-    }
-
-    /// cos 2σ₂, from sine and cosine of σ.
-    #[inline(always)]
-    pub fn cos_end(&self, (sin, cos): (T, T)) -> T {
-        let (sin_twice, cos_twice) = self.twice;
-        let two = T::of(2.0);
-        cos_twice * (T::ONE - two * sin * sin) - sin_twice * (two * sin * cos)
     }
 
     #[inline(always)]

@@ -49,11 +49,11 @@ pub trait Geodesic<T: Real> {
 /// [`batch::geodesic`](crate::batch::geodesic) is that loop. Sealed.
 pub trait Straight<T: Real>: Geodesic<T> + Send + Sync + sealed::Sealed {
     /// The inverse problem, and whether the answer is that of [`Geodesic::inverse`], bit for bit: not between coincident and nearly
-    /// antipodal places, nor on ellipsoids with |f| > 1/149.
+    /// antipodal places, nor, for [`Karney`], on ellipsoids with |f| > 1/149.
     fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool);
 
     /// The direct problem, and whether the answer is that of [`Geodesic::direct`], bit for bit: not for azimuths beyond ±360°, nor after
-    /// very many circuits, nor on ellipsoids with |f| > 1/149.
+    /// very many circuits, nor, for [`Karney`], on ellipsoids with |f| > 1/149.
     fn ordinary_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool);
 
     /// Whether the distance in metres is at most 50 polar radii: no direct problem so long is refused.

@@ -1,5 +1,5 @@
 use super::minimax::ATAN;
-use super::{either, halves, max, min, select};
+use super::{either, halves, max, min, mirrored, negated, select};
 use crate::Real;
 
 /// Arc tangent of a finite number in radians, in [−π/2, π/2].
@@ -68,10 +68,9 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
         T::coefficient(&ATAN, i)
     });
     let rest = tangent + tangent * z * curve;
-    let two = T::of(2.0);
-    let (steep, back) = (either(y > width, two), either(x < T::ZERO, two));
-    let (turn, mirror) = (T::ONE - steep, T::ONE - back);
-    ((back + back) + mirror * (steep + turn * middle), (turn * mirror) * rest)
+    let (steep, back) = (y > width, x < T::ZERO);
+    let eighths = mirrored(back, T::of(4.0), mirrored(steep, T::of(2.0), middle));
+    (eighths, negated(steep != back, rest))
 }
 
 #[cfg_attr(not(small), inline(always))]

@@ -81,7 +81,28 @@ pub(crate) fn either<T: Real>(condition: bool, then: T) -> T {
 /// One of two finite numbers by a condition, without a branch on any machine; −0 becomes 0.
 #[inline(always)]
 pub(crate) fn choose<T: Real>(condition: bool, then: T, otherwise: T) -> T {
+    if cfg!(small) {
+        return select(condition, then, otherwise) + T::ZERO;
+    }
     either(condition, then) + either(!condition, otherwise)
+}
+
+/// A number, or its negative by a condition, without a branch on any machine.
+#[inline(always)]
+pub(crate) fn negated<T: Real>(condition: bool, x: T) -> T {
+    if cfg!(small) {
+        return select(condition, -x, x);
+    }
+    (T::ONE - either(condition, T::of(2.0))) * x
+}
+
+/// A number, or by a condition what it lacks of another, without a branch on any machine; −0 becomes 0.
+#[inline(always)]
+pub(crate) fn mirrored<T: Real>(condition: bool, whole: T, x: T) -> T {
+    if cfg!(small) {
+        return select(condition, whole - x, x) + T::ZERO;
+    }
+    either(condition, whole) + negated(condition, x)
 }
 
 /// The smaller of two numbers.

@@ -1,5 +1,5 @@
 use super::minimax::{COS, SIN};
-use super::{choose, either, halves, select};
+use super::{choose, halves, mirrored, select};
 use crate::Real;
 
 /// Sine and cosine of an angle in radians.
@@ -103,9 +103,10 @@ fn reduced<T: Real>(x: T, low: T, lost: T) -> [(T, T); 2] {
 
 /// Sine and cosine of 0 ≤ x ≤ 90 degrees, within 1.5 ulp.
 #[cfg_attr(not(small), inline(always))]
+#[cfg_attr(small, inline(never))]
 pub(crate) fn sin_cos_quarter<T: Real>(x: T) -> (T, T) {
     let upper = x > T::of(45.0);
-    let turned = either(upper, T::of(90.0)) + (T::ONE - either(upper, T::of(2.0))) * x;
+    let turned = mirrored(upper, T::of(90.0), x);
     let (sin, cos) = sin_cos_eighth(turned * T::of(core::f64::consts::PI / 180.0));
     (choose(upper, cos, sin), choose(upper, sin, cos))
 }

@@ -380,8 +380,8 @@ fn claim_of<T: Scalar>(method: Method, ellipsoid: Ellipsoid<T>, lat: f64, distan
         Method::Vincenty => {
             let claims = [
                 (0.0034, [2e-8, 1.5e-8, 2e-8], 7.0),
-                (1.0 / 149.9, [4e-7; 3], 7.0),
-                (1.0 / 59.9, [4e-5; 3], 8.0),
+                (1.0 / 149.9, [2e-8; 3], 7.0),
+                (1.0 / 59.9, [1e-6; 3], 8.0),
             ];
             let (_, double, metres) = claims.into_iter().find(|(limit, ..)| f <= *limit)?;
             // Of a longer line the series' error grows with it.

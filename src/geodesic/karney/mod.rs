@@ -26,12 +26,12 @@ pub use polygon::PolygonArea;
 /// Karney's geodesics: both problems for any two places, with the lengths that error analysis needs.
 ///
 /// Always converges. On the Earth the distance is within 7 nm, azimuths times the shorter of distance and reduced length within
-/// 5 nm, and the direct problem's position within 10 nm for a line once around; in `f32` within 4 m and 1.5e-7 of the distance (30 m between nearly antipodal places within 10⁻⁴ degrees of the equator), and between neighbours within
+/// 5 nm, and the direct problem's position within 10 nm for a line once around; in `f32` within 4 m and 1.5e-7 of the distance (the general way 30 m between nearly antipodal places within 10⁻⁴ degrees of the equator), and between neighbours within
 /// 1e-6 of the distance. For f = 1/10 and −1/150 within 12 nm.
 ///
 /// Both problems of [`Geodesic`] are straight lines of arithmetic where |f| ≤ 1/149: Newton's method for the longitude on the auxiliary sphere,
-/// three evaluations; a few more between places 170° or more apart. What they leave (the hardest of these, coincident places, azimuths beyond ±360°, very many circuits), other ellipsoids, [`Karney::solve`] and
-/// [`Line`] take the general way. The two agree to rounding, not to the bit.
+/// three evaluations; a few more between some places 150° or more apart. What they leave (coincident places, azimuths beyond ±360°, very many
+/// circuits), other ellipsoids, [`Karney::solve`] and [`Line`] take the general way. The two agree to rounding, not to the bit.
 ///
 /// The general way: series in the third flattening to order 6 on the Earth's ellipsoids and up to 12 beyond them; shorter ones in `f32`; Newton's
 /// method with a bracket, at most 83 steps (`f64`), in practice 2 to 5.
@@ -167,13 +167,18 @@ impl<T: Real> Geodesic<T> for Karney<T> {
     /// Never fails.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        let inverse = self.ordinary.inverse(from, to);
-        Ok(inverse.unwrap_or_else(|| self.hard_inverse(from, to)))
+        if self.ordinary.exact()
+            && let Some(line) = self.ordinary.inverse(from, to)
+            && self.ordinary.apart(&line)
+        {
+            return Ok(line);
+        }
+        Ok(self.hard_inverse(from, to))
     }
 
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let (there, found) = self.ordinary.direct(from, azimuth, distance);
+        let (there, found) = self.ordinary_direct(from, azimuth, distance);
         if found {
             return Ok(there);
         }
@@ -184,12 +189,14 @@ impl<T: Real> Geodesic<T> for Karney<T> {
 impl<T: Real> Straight<T> for Karney<T> {
     #[inline(always)]
     fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
-        self.ordinary.near_inverse(from, to)
+        let (line, found) = self.ordinary.near_inverse(from, to);
+        (line, found & self.ordinary.exact())
     }
 
     #[inline(always)]
     fn ordinary_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
-        self.ordinary.direct(from, azimuth, distance)
+        let (there, found) = self.ordinary.few_direct(from, azimuth, distance);
+        (there, found & self.ordinary.exact())
     }
 
     #[inline(always)]
