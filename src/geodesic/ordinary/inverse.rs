@@ -324,7 +324,7 @@ impl<T: Real> Ends<T> {
         );
         if far {
             // Between latitudes exactly opposite λ says nothing of the azimuth: there one is moved by less than its rounding.
-            self.rise += (T::of(0.25) * T::EPSILON).copysign(self.rise);
+            self.rise = max(self.rise.abs(), T::of(0.25) * T::EPSILON).copysign(self.rise);
         }
     }
 
