@@ -171,20 +171,7 @@ impl<T: Real> Ordinary<T> {
         };
         // In `f32` the short series are all there is.
         if T::terms(1, 0) == 1 {
-            let mut sigma = arc.rough_sigma(far);
-            while evaluations < if far { most } else { least } {
-                let (shift, slope) = self.rough_shift(&arc, sigma);
-                let step = ((rest - grown) + side * shift) / slope;
-                let turn = side * step;
-                sigma += turn * (arc.sin_alpha + T::of(0.5) * arc.bend * turn);
-                grown += step;
-                arc = ends.grown(grown);
-                evaluations += 1;
-                // The next error, as a part of sin σ, is less than the square of the last step; or the series are too short to tell.
-                if far && step.abs() <= arc.sin_sigma * T::of(5e-5) + self.f.abs() * T::of(1e-9) {
-                    break;
-                }
-            }
+            (grown, arc, evaluations) = self.approach(ends, (rest, grown, arc), if far { most } else { least });
         }
         loop {
             let factor = series(arc.square, &self.epsilon, T::terms(7, 3));
@@ -200,7 +187,7 @@ impl<T: Real> Ordinary<T> {
             let excess = ((rest - grown) + rate * bend) + rate * a3 * sigma;
             let slope = self.slope(&arc, a3 * sigma + bend, sigma);
             let step = excess * (T::ONE / slope);
-            // A step whose square is rounding; or less than the rounding of its own sum.
+            // The square of such a step is rounding, and what is in excess by no more than this is the rounding of its own sum.
             let small_step = arc.sin_sigma * T::pick(1e-8, 5e-5);
             let rounding = T::of(8.0) * T::EPSILON * (rest.abs() + T::of(3.0) * self.f.abs());
             let found = excess.abs() <= small_step * slope + rounding;
@@ -231,6 +218,28 @@ impl<T: Real> Ordinary<T> {
         }
     }
 
+    /// Steps with short series to the last but one, or near the antipode until they settle: how much ω has grown, its arc, and how many
+    /// evaluations that makes with the one to come.
+    #[inline(always)]
+    fn approach(&self, ends: &Ends<T>, (rest, mut grown, mut arc): (T, T, Arc<T>), steps: usize) -> (T, Arc<T>, usize) {
+        let mut sigma = arc.rough_sigma(ends.far);
+        let mut evaluations = 1;
+        while evaluations < steps {
+            let (shift, slope) = self.rough_shift(&arc, sigma);
+            let step = ((rest - grown) + ends.side * shift) / slope;
+            let turn = ends.side * step;
+            sigma += turn * (arc.sin_alpha + T::of(0.5) * arc.bend * turn);
+            grown += step;
+            arc = ends.grown(grown);
+            evaluations += 1;
+            // The next error, as a part of sin σ, is less than the square of the last step; or the series are too short to tell.
+            if ends.far && step.abs() <= arc.sin_sigma * T::of(5e-5) + self.f.abs() * T::of(1e-9) {
+                break;
+            }
+        }
+        (grown, arc, evaluations)
+    }
+
     /// Where Newton's steps begin near the antipode: ω but for a hundredth, from λ = ω + π f sin α₀ with the triangle taken as flat; on a
     /// prolate ellipsoid, where there are several, beyond the one whose line is the shortest.
     #[inline(always)]
@@ -258,7 +267,7 @@ impl<T: Real> Ordinary<T> {
     /// f sin α₀ I₃ but for 1e-9, and the derivative of ω less it.
     #[cfg_attr(not(small), inline(always))]
     fn rough_shift(&self, arc: &Arc<T>, sigma: T) -> (T, T) {
-        let factor = series(arc.square, &self.epsilon, T::terms(3, 2));
+        let factor = series(arc.square, &self.epsilon, 3);
         let epsilon = factor * arc.square;
         let wave = factor * arc.middle * arc.sin_sigma;
         let integral = sigma * series(epsilon, &self.a3, 3) + wave * series(epsilon, &self.c3, 2);
@@ -282,19 +291,15 @@ impl<T: Real> Ordinary<T> {
 }
 
 impl<T: Real> Ends<T> {
-    /// Whether the places are so nearly antipodal, 170° apart or more, that ω turns the line faster than λ tells it.
+    /// Whether the places are so nearly antipodal, 170° apart or more, that ω turns the line faster than λ tells it. To be asked before the ends are
+    /// seen from opposite.
     #[inline(always)]
     fn nearly_antipodal(&self) -> bool {
-        (self.lon >= T::of(90.0)) & (self.cos_distance() < T::of(-0.985))
-    }
-
-    /// The cosine of the arc for ω = λ, before anything is seen.
-    #[inline(always)]
-    fn cos_distance(&self) -> T {
         let (sin_half, _) = self.half;
         let cos_lambda = T::ONE - (sin_half + sin_half) * sin_half;
         let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
-        sin1 * sin2 + cos1 * cos2 * cos_lambda
+        let cos_sigma = sin1 * sin2 + cos1 * cos2 * cos_lambda;
+        (self.lon >= T::of(90.0)) & (cos_sigma < T::of(-0.985))
     }
 
     /// An azimuth in degrees, and what it turns by in radians.
@@ -387,33 +392,23 @@ impl<T: Real> Arc<T> {
         let cos = self.cos_sigma.abs();
         let reciprocal = T::ONE / (T::ONE + cos);
         let (t, z) = (self.sin_sigma * reciprocal, (T::ONE - cos) * reciprocal);
-        let curve = halves(z, T::terms(8, 6), |i| T::coefficient(&ROUGH_ATAN, i));
+        let curve = halves(z, 8, |i| T::coefficient(&ROUGH_ATAN, i));
         let angle = (t + t) * curve;
         mirrored(self.cos_sigma < T::ZERO, of(PI), angle)
     }
 }
 
-/// atan t/t by powers of t², 0 ≤ t ≤ 1; error 1.2e-7 (`f64`), 5e-6 (`f32`).
-const ROUGH_ATAN: Polynomial<8, 6> = Polynomial {
-    f64: [
-        0.999_999_881_996,
-        -0.333_318_126_556,
-        0.199_669_618_296,
-        -0.140_032_901_847,
-        0.098_688_654_581_3,
-        -0.058_829_753_143_1,
-        0.023_780_518_597_2,
-        -0.004_559_791_986_13,
-    ],
-    f32: [
-        0.999_994_8,
-        -0.332_957_1,
-        0.195_346_6,
-        -0.120_448_59,
-        0.056_589_99,
-        -0.013_130_382,
-    ],
-};
+/// atan t/t by powers of t², 0 ≤ t ≤ 1; error 1.2e-7.
+const ROUGH_ATAN: Polynomial<8, 8> = Polynomial::rounded([
+    0.999_999_881_996,
+    -0.333_318_126_556,
+    0.199_669_618_296,
+    -0.140_032_901_847,
+    0.098_688_654_581_3,
+    -0.058_829_753_143_1,
+    0.023_780_518_597_2,
+    -0.004_559_791_986_13,
+]);
 
 /// Σ C₁ₗ (sin 2lσ₂ − sin 2lσ₁).
 #[cfg_attr(not(small), inline(always))]
