@@ -50,7 +50,8 @@ impl Model {
             Self::Plane => 320,
             Self::Flat => 450,
             Self::Sphere => 950,
-            Self::Andoyer | Self::Vincenty | Self::Karney => 1000,
+            Self::Andoyer => 1000,
+            Self::Vincenty | Self::Karney => 1100,
         }
     }
 }
