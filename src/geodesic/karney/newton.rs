@@ -65,8 +65,12 @@ impl<T: Real> Canonical<T> {
             } else {
                 alpha1 = Angle::of((low.sin + high.sin) * T::of(0.5), (low.cos + high.cos) * T::of(0.5));
                 nearly = false;
-                let width = |end: Angle<T>| (end.sin - alpha1.sin).abs() + (end.cos - alpha1.cos).abs();
-                narrow = width(low) < T::EPSILON || width(high) < T::EPSILON;
+                // As narrow as the smaller of sine and cosine tells: next to the equator the arc turns on it.
+                let close = |end: Angle<T>| {
+                    (end.sin - alpha1.sin).abs() < T::EPSILON * alpha1.sin
+                        && (end.cos - alpha1.cos).abs() < T::EPSILON * alpha1.cos.abs()
+                };
+                narrow = close(low) || close(high);
             }
             hybrid = self.hybrid(karney, alpha1, step < newton_steps);
         }
