@@ -8,7 +8,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// Vincenty's formulas (1975), with longer series and with Newton's steps for his iteration: nothing is lost near the antipode.
 ///
 /// T. Vincenty, "Direct and inverse solutions of geodesics on the ellipsoid with application of nested equations", Survey Review 23.
-/// The equations are his, the series those in Helmert's ε (k₁ in his later notes), two orders longer: C. F. F. Karney,
+/// The equations are his, the series those in Helmert's ε (k₁ in his later notes), longer: C. F. F. Karney,
 /// "Algorithms for geodesics", J. Geodesy 87 (2013), equations 17, 18, 24 and 25.
 ///
 /// His iteration λ ← L + f sin α ∫… fails near the antipode, where a small change of λ turns the azimuth. Here λ follows from Newton's steps on
@@ -17,7 +17,7 @@ use crate::{Ellipsoid, LatLon, Real};
 ///
 /// | worst error, up to the antipode | `f64` | `f32` |
 /// |---|---|---|
-/// | distance, azimuths × reduced length, position of lines to 20 000 km, \|f\| ≤ 1/150 | 2.0e-8 m | 7 m, 1e-6 of the distance |
+/// | distance, azimuths × reduced length, position of lines to 20 000 km, \|f\| ≤ 1/150 | 2.0e-8 m | 7 m, 7e-7 of the distance |
 /// | all of them, \|f\| ≤ 1/60 | 1.0e-6 m | 8 m |
 ///
 /// A longer line, of several circuits, adds 2e-16 (1e-7) of its length and as much of the series' error as it is longer.
@@ -25,7 +25,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// Three evaluations are usual (`f32`: two), and 40 allowed. An inverse is never wrong: what does not close is
 /// [`GeodesicError::NotConverged`]. No pair of places is known for which that happens, in `f64` or in `f32`; 10⁷ of the hardest were tried.
 ///
-/// Coincident places: distance 0, azimuths 0; so are places less than 10⁻¹⁴³ m (10⁻¹² m) apart. At a pole an azimuth counts from the meridian of the given longitude. Of several
+/// Coincident places: distance 0, azimuths 0. A distance below 10⁻¹⁴³ m (10⁻¹² m) may be 0, too. At a pole an azimuth counts from the meridian of the given longitude. Of several
 /// shortest lines one is taken.
 ///
 /// ```

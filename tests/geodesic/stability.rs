@@ -198,6 +198,12 @@ fn vincenty_answers_where_numbers_are_subnormal() {
                 single.inverse(place(lat, lon), place(lat, 180.0)).is_ok(),
                 "{f:e} {lat:e}"
             );
+            let near = single.inverse(place(0.0, 0.0), place(lat, lon)).unwrap().distance;
+            let north = f64::from(lat).to_radians() * 6.4e6;
+            assert!(
+                (f64::from(near) - north).abs() < 1e-12 + 0.04 * north,
+                "{f:e} {lat:e}: {near:e}"
+            );
         }
         let double = Vincenty::new(Ellipsoid::new(6.4e6, f).unwrap()).unwrap();
         for (lat, lon) in [(1e-160, 1e-160), (1e-200, 1e-150), (1e-300, 1e-300)] {

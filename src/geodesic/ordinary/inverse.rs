@@ -278,14 +278,14 @@ impl<T: Real> Ordinary<T> {
     /// The derivative of ω − f sin α₀ I₃ by ω, but for f ε².
     #[cfg_attr(not(small), inline(always))]
     fn slope(&self, arc: &Arc<T>, integral: T, sigma: T) -> T {
-        if T::terms(1, 0) == 0 {
-            return T::ONE - self.f * (arc.bend * integral + arc.sin_alpha * arc.sin_alpha);
-        }
-        let half = T::of(0.5);
         let [g, ..] = self.epsilon;
-        let wave = arc.middle * arc.cos_sigma
-            - arc.sin_sigma * ((arc.bend + arc.bend) * arc.cos_sigma + arc.square * arc.sin_sigma);
-        let rate = T::ONE + g * (half * (wave - arc.square) + sigma * arc.bend);
+        let rate = if T::terms(1, 0) == 1 {
+            let wave = arc.middle * arc.cos_sigma
+                - arc.sin_sigma * ((arc.bend + arc.bend) * arc.cos_sigma + arc.square * arc.sin_sigma);
+            T::ONE + g * (T::of(0.5) * (wave - arc.square) + sigma * arc.bend)
+        } else {
+            T::ONE
+        };
         T::ONE - self.f * (arc.bend * integral + arc.sin_alpha * arc.sin_alpha * rate)
     }
 }
