@@ -22,6 +22,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 18 000 km | 280 | 600 | 40 |
 /// | 19 000 km | 600 | 1300 | 40 |
 /// | to the antipode | 3.5e4 | 2.2e5 | 40 |
+/// | any number of times around | – | – | 1.5e-6 s |
 ///
 /// On other ellipsoids it grows with f², and on a sphere it is that of [`GreatCircle`](super::GreatCircle). `f32` adds 7e-7 of the distance.
 ///

@@ -20,6 +20,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 18 000 km | 20 | 15 | 0.03 |
 /// | 19 000 km | 80 | 70 | 0.03 |
 /// | to the antipode | 3.5e4 | 2.2e5 | 0.03 |
+/// | any number of times around | – | – | 1.5e-9 s |
 ///
 /// On other ellipsoids it grows with f³, and on a sphere it is that of [`GreatCircle`](super::GreatCircle). `f32` adds 7e-7 of the distance.
 ///

@@ -3,7 +3,7 @@
 use terrella::Ellipsoid;
 use terrella::geodesic::{Andoyer, AndoyerSecond};
 
-use crate::along::{Errors, hold};
+use crate::along::{Errors, hold, measure};
 
 /// Distance; errors of distance, azimuth and position.
 type Table<'a> = &'a [(f64, [f64; 3])];
@@ -58,5 +58,19 @@ fn the_second_order_holds() {
     ];
     for &(s, row) in table {
         hold(&double, &single, s, ANYWHERE, errors(row));
+    }
+}
+
+/// What the last row of the tables says.
+#[test]
+fn lines_go_around_any_number_of_times() {
+    let earth = Ellipsoid::<f64>::wgs84();
+    for s in [3.5e7, -3.5e7, 1e8, 4e8] {
+        let [first, second] = [
+            measure(&Andoyer::new(earth).unwrap(), s, ANYWHERE).position,
+            measure(&AndoyerSecond::new(earth).unwrap(), s, ANYWHERE).position,
+        ];
+        println!("{s:e} m: {first} {second}");
+        assert!(first <= 1.5e-6 * s.abs() && second <= 1.5e-9 * s.abs());
     }
 }

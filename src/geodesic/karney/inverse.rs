@@ -78,6 +78,11 @@ impl<T: Real> Canonical<T> {
         }
         let lat_sign = -T::ONE.copysign(lat1);
         let (lat1, lat2) = (lat1 * lat_sign, lat2 * lat_sign);
+        let lambda = (lon12 + rest) * T::of(PI / 180.0);
+        // Next to the equator the azimuth of a long line turns within its rounding, and Newton's method is lost: these places are taken for
+        // places on it, which moves them by far less than the distance rounds. The side that the line passes on stays: −0.
+        let beside = (lambda > T::ONE) & (lat1 >= T::pick(-5e-15, -5e-9));
+        let (lat1, lat2) = (select(beside, -T::ZERO, lat1), select(beside, T::ZERO, lat2));
         let (beta1, radius1) = karney.reduced(lat1);
         let (mut beta2, radius2) = karney.reduced(lat2);
         let (rise, _) = Split::sum(lat2, -lat1).sin_cos();
@@ -100,7 +105,7 @@ impl<T: Real> Canonical<T> {
             dn2: karney.dn(beta2.sin),
             // β = atan((1 − f) tan φ) for both.
             rise: karney.axes * rise / (radius1 * radius2),
-            lambda: (lon12 + rest) * T::of(PI / 180.0),
+            lambda,
             lambda12: Angle { sin, cos },
             supplement: (T::of(180.0) - lon12) - rest,
             polar: lat1 == T::of(-90.0),
@@ -138,11 +143,7 @@ impl<T: Real> Canonical<T> {
             return arc;
         }
         let f = karney.ellipsoid.f();
-        // Between opposite places next to the equator of a prolate ellipsoid the azimuth turns within its rounding, and Newton's method
-        // is lost: these are taken for places on it, which moves them by far less than the distance rounds.
-        let beside = (f < T::ZERO) & (self.lambda > T::ONE) & (self.beta1.sin >= T::pick(-1e-17, -1e-10));
-        let equatorial = self.beta1.sin == T::ZERO || beside;
-        if equatorial && (f <= T::ZERO || self.supplement >= f * T::of(180.0)) {
+        if self.beta1.sin == T::ZERO && (f <= T::ZERO || self.supplement >= f * T::of(180.0)) {
             return self.equatorial(karney);
         }
         match self.start(karney) {
