@@ -10,6 +10,7 @@
 mod along;
 mod andoyer;
 mod bowring;
+mod evaluations;
 mod flat;
 mod great_circle;
 mod haversine;
