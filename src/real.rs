@@ -131,7 +131,7 @@ pub trait Real:
     #[must_use]
     fn signed_like(self, sign: Self) -> Self;
 
-    /// 0 in place of a value that is 0 but for its rounding; what a [`Dual`](crate::Dual) carries beside it stays.
+    /// 0 in place of a value; what a [`Dual`](crate::Dual) carries beside it stays.
     #[must_use]
     fn vanish(self) -> Self;
 

@@ -91,13 +91,12 @@ impl Numbering {
     }
 }
 
-/// (x, y) turned counter-clockwise by quarter circles.
+/// (x, y) turned counter-clockwise by quarter circles, of which no numbering has two.
 fn turned<T: Real>(x: T, y: T, quarters: u8) -> (T, T) {
-    match quarters % 4 {
-        0 => (x, y),
+    match quarters {
         1 => (-y, x),
-        2 => (-x, -y),
-        _ => (y, -x),
+        3 => (y, -x),
+        _ => (x, y),
     }
 }
 

@@ -43,15 +43,14 @@ impl<T: Real> Split<T> {
 /// The second latitude less the first.
 #[cfg_attr(not(small), inline(always))]
 pub(super) fn latitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> Split<T> {
-    // Less zero: −0 − 0 is −0, and would turn the azimuth of a point to itself.
-    Split::sum(to.lat() + T::ZERO, -from.lat())
+    Split::sum(to.lat(), -from.lat())
 }
 
 /// The second longitude less the first, in [−180, 180].
 #[cfg_attr(not(small), inline(always))]
 pub(super) fn longitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> Split<T> {
     let half_circle = T::of(180.0);
-    let whole = Split::sum(to.lon() + T::ZERO, -from.lon());
+    let whole = Split::sum(to.lon(), -from.lon());
     let over = either(whole.angle.abs() > half_circle, half_circle.copysign(whole.angle));
     let turned = Split::sum((whole.angle - over) - over, whole.rest);
     // A half circle and a little more is a half circle less that little, the other way round.

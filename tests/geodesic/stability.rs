@@ -125,6 +125,90 @@ fn coincident_places_are_zero_apart() {
     coincident::<f32>();
 }
 
+/// Along a meridian, by any signs of its longitude: north is +0, south +180.
+fn meridian<T: Scalar>() {
+    for (name, method) in methods::<T>(1.0 / 298.0) {
+        for lons in [T::ZERO, T::of(180.0)].map(|lon| [lon, -lon]) {
+            for (lon1, lon2) in lons.into_iter().flat_map(|lon1| lons.map(|lon2| (lon1, lon2))) {
+                for (lat1, lat2, azimuth) in [
+                    (-1.0, 1.5, 0.0),
+                    (0.0, 1.0, 0.0),
+                    (-1.0, -0.0, 0.0),
+                    (1.0, 0.5, 180.0),
+                    (-0.0, -1.0, 180.0),
+                ] {
+                    let line = method
+                        .inverse(place(T::of(lat1), lon1), place(T::of(lat2), lon2))
+                        .unwrap();
+                    for found in [line.azimuth1, line.azimuth2] {
+                        let found: f64 = found.into();
+                        assert!(
+                            found.to_bits() == f64::to_bits(azimuth),
+                            "{name}: {lat1} {lon1:?} {lat2} {lon2:?}: {found}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn meridians_lead_north_and_south() {
+    meridian::<f64>();
+    meridian::<f32>();
+}
+
+/// Across the 180th meridian as across that of 0, though 360° takes digits from the difference.
+fn antimeridian<T: Scalar>(digits: f64) {
+    let half = T::of(180.0);
+    for (name, method) in methods::<T>(1.0 / 298.0) {
+        for step in [T::EPSILON, T::of(1e-6), T::of(0.3)].map(|step| step * half) {
+            let (lon1, lon2) = (half - step, step * T::of(0.7) - half);
+            let across = method.inverse(place(T::ZERO, lon1), place(T::ZERO, lon2)).unwrap();
+            let turned = method
+                .inverse(place(T::ZERO, lon1 - half), place(T::ZERO, lon2 + half))
+                .unwrap();
+            let ratio = across.distance.into() / turned.distance.into();
+            assert!((ratio - 1.0).abs() <= digits, "{name}: {lon1:?} {lon2:?}: {ratio}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_lost_across_the_180th_meridian() {
+    antimeridian::<f64>(1e-15);
+    antimeridian::<f32>(5e-7);
+}
+
+/// Opposite places: the line that is told leads there, and its end back, on a sphere and for Vincenty on the Earth.
+fn opposite<T: Scalar>(most: f64) {
+    let earth = methods::<T>(1.0 / 298.0)
+        .into_iter()
+        .filter(|(name, _)| *name == "vincenty");
+    let sphere = methods::<T>(0.0)
+        .into_iter()
+        .filter(|(name, _)| !["flat", "bowring", "haversine"].contains(name));
+    for (name, method) in earth.chain(sphere) {
+        for lat in [0.0, 1e-3, 10.0, -30.0, 89.0, 90.0, -90.0] {
+            let (from, to) = (place(T::of(lat), T::of(20.0)), place(T::of(-lat), T::of(-160.0)));
+            let line = method.inverse(from, to).unwrap();
+            let there = method.direct(from, line.azimuth1, line.distance).unwrap().position;
+            let back = method.direct(to, line.azimuth2, -line.distance).unwrap().position;
+            for (end, wanted) in [(there, to), (back, from)] {
+                let miss: f64 = method.inverse(end, wanted).unwrap().distance.into();
+                assert!(miss < most, "{name} {lat}: {line:?} misses by {miss}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lines_between_opposite_places_lead_there() {
+    opposite::<f64>(1e-7);
+    opposite::<f32>(3.0);
+}
+
 /// A nanometre, and its direction: nothing is lost to cancellation. Near 0° N 0° E, where coordinates resolve it.
 fn nanometre<T: Scalar>(digits: f64) {
     let degree = 1e-9 / 6.4e6 * 57.295_779_513_082_32;

@@ -29,9 +29,9 @@ impl CubeProjection for Quadrilateralized {
         let length = half + half * (right * right + up * up + outward * outward);
         let long = (q * sum * (T::ONE / (length * (length + outward)))).sqrt();
         // Edges and diagonals stay what they are.
-        let long = select(major == outward, T::ONE + (long - T::ONE).vanish(), long);
+        let long = select(major == outward, T::ONE + long.vanish(), long);
         let w = minor * T::of(2.732_050_807_568_877) / max(sum, T::pick(1e-300, 1e-37));
-        let w = select(minor == major, T::ONE + (w - T::ONE).vanish(), w);
+        let w = select(minor == major, T::ONE + w.vanish(), w);
         let short = long * odd_unit(w, &QUAD_M);
         // Each comparison chooses once: for two selects by one a processor without blends takes a branch.
         let x = select(up.abs() > right.abs(), short, long);
