@@ -251,6 +251,25 @@ fn what_is_not_finite_is_refused() {
     }
 }
 
+/// A distance in radii is a number, and so is twice of it: then it is taken, however far.
+#[test]
+fn the_longest_distance_is_half_of_the_largest_number() {
+    for (name, method) in methods::<f64>(1.0 / 298.0) {
+        let here = place(1.0, 2.0);
+        for distance in [1e200, 8e307] {
+            assert!(method.direct(here, 30.0, distance).is_ok(), "{name} {distance:e}");
+        }
+    }
+    let tiny = Vincenty::new(Ellipsoid::new(1e-3, 1.0 / 298.0).unwrap()).unwrap();
+    assert!(tiny.direct(place(1.0, 2.0), 30.0, 8e304).is_ok());
+    for distance in [1e305, 1e307] {
+        assert_eq!(
+            tiny.direct(place(1.0, 2.0), 30.0, distance),
+            Err(GeodesicError::Distance(distance))
+        );
+    }
+}
+
 /// A pole is one place, by whatever longitudes it is named.
 fn pole<T: Scalar>() {
     for (name, method) in methods::<T>(1.0 / 298.0) {

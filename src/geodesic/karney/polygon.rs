@@ -23,8 +23,8 @@ pub struct PolygonArea<'a, T> {
     last: Option<LatLon<T>>,
     under: Sum<T>,
     perimeter: Sum<T>,
-    /// How often the edges have crossed the meridian 0, counted with sign.
-    crossings: i32,
+    /// Whether the edges have crossed the meridian 0 an odd number of times.
+    odd: bool,
 }
 
 impl<'a, T: Real> PolygonArea<'a, T> {
@@ -35,7 +35,7 @@ impl<'a, T: Real> PolygonArea<'a, T> {
             last: None,
             under: Sum::default(),
             perimeter: Sum::default(),
-            crossings: 0,
+            odd: false,
         }
     }
 
@@ -59,7 +59,7 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         let half = whole * T::of(0.5);
         let mut under = closed.under.value();
         // Around a pole the areas under the edges leave half of the ellipsoid out.
-        if closed.crossings % 2 != 0 {
+        if closed.odd {
             under += half.copysign(-under);
         }
         if under > half {
@@ -85,12 +85,12 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         self.perimeter.add(self.area.karney.solve(from, to).inverse.distance);
         // Counter-clockwise about a region to the north of the equator runs east to west.
         self.under.add(-self.area.under(from, to));
-        self.crossings += crossing(from.lon(), to.lon());
+        self.odd ^= crosses(from.lon(), to.lon());
     }
 }
 
-/// 1 or −1 if the shortest way from one longitude to another crosses the meridian 0 eastward or westward.
-fn crossing<T: Real>(from: T, to: T) -> i32 {
+/// Whether the shortest way from one longitude to another crosses the meridian 0.
+fn crosses<T: Real>(from: T, to: T) -> bool {
     let circle = T::of(360.0);
     let difference = to - from;
     let east = if difference > T::of(180.0) {
@@ -100,12 +100,10 @@ fn crossing<T: Real>(from: T, to: T) -> i32 {
     } else {
         difference
     };
-    if from < T::ZERO && to >= T::ZERO && east > T::ZERO {
-        1
-    } else if from >= T::ZERO && to < T::ZERO && east < T::ZERO {
-        -1
-    } else {
-        0
+    match (from < T::ZERO, to < T::ZERO) {
+        (true, false) => east > T::ZERO,
+        (false, true) => east < T::ZERO,
+        _ => false,
     }
 }
 
