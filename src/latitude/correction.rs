@@ -280,3 +280,47 @@ fn clenshaw<T: Real>(coefficients: &[T], terms: usize, sin2: T, cos2: T) -> T {
     }
     sin2 * b1
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The largest angle, and the least and largest of the derivative and of the ratio of cosines.
+    fn sampled(correction: Correction<f64>) -> (f64, [f64; 2]) {
+        let at = |x: f64| x + correction.angle(doubled(x.sin_cos()));
+        let (mut angle, [mut low, mut high]) = (0.0_f64, [1.0_f64; 2]);
+        for n in -9000..9000 {
+            let (x, step) = (f64::from(2 * n + 1) * core::f64::consts::PI / 36000.0, 1e-6);
+            angle = angle.max((at(x) - x).abs());
+            for ratio in [(at(x + step) - at(x - step)) / (2.0 * step), at(x).cos() / x.cos()] {
+                (low, high) = (low.min(ratio), high.max(ratio));
+            }
+        }
+        (angle, [low, high])
+    }
+
+    #[test]
+    fn bounds_hold_and_are_close() {
+        let mut kinds = 0;
+        for f in [1.0 / 298.0, 0.03, 0.1, -0.1, 0.5, -1.0] {
+            let ellipsoid = Ellipsoid::new(1.0, f).ok();
+            for &shift in Shift::ALL {
+                let both = [Correction::to_shifted, Correction::to_geodetic];
+                for correction in both.into_iter().filter_map(|new| new(ellipsoid?, shift).ok()) {
+                    let (angle, [low, high]) = correction.bounds();
+                    let (largest, [least, most]) = sampled(correction);
+                    // Past what the difference quotient rounds: no less, and by no more than a part that grows with the flattening.
+                    let close = |bound: f64, found: f64| {
+                        (-1e-9..=(0.02 + 3.0 * f.abs()) * found + 1e-9).contains(&(bound - found))
+                    };
+                    assert!(
+                        close(angle, largest) && close(high - 1.0, most - 1.0) && close(1.0 - low, 1.0 - least),
+                        "{f} {shift}: {angle} {low} {high}, {largest} {least} {most}"
+                    );
+                    kinds += 1;
+                }
+            }
+        }
+        assert_eq!(kinds, 60);
+    }
+}
