@@ -2,7 +2,7 @@ use super::auxiliary::{Ends, Start, nearly_round, waves};
 use super::degrees::{heading, wrapped};
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::{max, min, select, sin_cos};
+use crate::math::{max, min, sin_cos};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// [`Andoyer`](super::Andoyer) to the second order in the flattening: as far as Thomas' formula goes, by another way.
@@ -91,8 +91,7 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
         let shift = ends.side * self.f * first.sin_alpha * integral;
         let slope = T::ONE - ends.side * self.f * first.bend * integral - self.f * first.sin_alpha * first.sin_alpha;
         // Near the antipode of a prolate ellipsoid the step could go anywhere.
-        let slope = select(ends.far(), max(slope, T::of(0.5)), slope);
-        let arc = ends.arc(max(min(ends.lon + shift / slope, T::of(2.0)), T::ZERO));
+        let arc = ends.arc(max(min(ends.lon + shift / max(slope, T::of(0.5)), T::of(2.0)), T::ZERO));
         let series = self.series(arc.cos2_alpha);
         let (azimuth1, azimuth2) = arc.azimuths();
         Ok(Inverse {

@@ -95,12 +95,6 @@ impl<T: Real> Ends<T> {
         }
     }
 
-    /// Whether the ends are on either side of the globe.
-    #[inline(always)]
-    pub fn far(&self) -> bool {
-        self.side < T::ZERO
-    }
-
     /// The azimuths at both ends in degrees, once the longitude on the sphere has grown by so much of sin σ.
     #[cfg_attr(not(small), inline(always))]
     pub fn azimuths_after(&self, arc: &Arc<T>, shift: T) -> (T, T) {
@@ -126,12 +120,12 @@ impl<T: Real> Ends<T> {
         let (e2, n2) = (cos1 * sin_x, self.side * (self.north - sin2 * cos1 * lift));
         let sin_sigma = hypot(e1, n1);
         let cos_sigma = sin1 * sin2 + self.side * (cos1 * cos2 * cos_x);
-        // Coincident places; or antipodal ones, from which the line goes north, or straight to the other pole.
+        // Coincident places; or antipodal ones, from which the line goes north.
         let degenerate = sin_sigma == T::ZERO;
         let opposite = degenerate & (cos_sigma < T::ZERO);
         let divisor = select(degenerate, T::ONE, sin_sigma);
-        let n1 = select(opposite, select(self.far(), T::ONE, -sin1), n1);
-        let n2 = select(opposite, self.side * n1, n2);
+        let n1 = select(opposite, T::ONE, n1);
+        let n2 = select(opposite, self.side, n2);
         let (sin_course, cos_course) = (e1 / divisor, n1 / divisor);
         let sin_alpha = cos1 * sin_course;
         let across = sin_course * sin1;

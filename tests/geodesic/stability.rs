@@ -163,7 +163,7 @@ fn meridians_lead_north_and_south() {
 fn antimeridian<T: Scalar>(digits: f64) {
     let half = T::of(180.0);
     for (name, method) in methods::<T>(1.0 / 298.0) {
-        for step in [T::EPSILON, T::of(1e-6), T::of(0.3)].map(|step| step * half) {
+        for step in (0..20).map(|n| half * T::of(0.812_3 * 2.0_f64.powi(-n))) {
             let (lon1, lon2) = (half - step, step * T::of(0.7) - half);
             let across = method.inverse(place(T::ZERO, lon1), place(T::ZERO, lon2)).unwrap();
             let turned = method

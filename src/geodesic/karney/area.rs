@@ -1,6 +1,6 @@
 use super::Karney;
 use super::angle::Angle;
-use super::inverse::{Canonical, tiny};
+use super::inverse::Canonical;
 use super::polygon::PolygonArea;
 use super::series::{AreaSeries, Series};
 use crate::geodesic::GeodesicError;
@@ -70,17 +70,7 @@ impl<T: Real> Area<T> {
                 let cos = versine * (beta1.sin * beta2.sin + d1 * d2);
                 T::of(2.0) * atan2(sin, cos)
             }
-            None => {
-                let mut turn = alpha2.minus(alpha1);
-                // A half turn whose sign is lost: that of the way out.
-                if turn.sin == T::ZERO && turn.cos < T::ZERO {
-                    turn = Angle {
-                        sin: tiny::<T>() * alpha1.cos,
-                        cos: -T::ONE,
-                    };
-                }
-                turn.to_radians()
-            }
+            None => alpha2.minus(alpha1).to_radians(),
         };
         self.with_sphere(excess, oblateness) * problem.area_sign() + T::ZERO
     }

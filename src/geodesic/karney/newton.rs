@@ -37,20 +37,18 @@ impl<T: Real> Canonical<T> {
         let newton_steps = 20;
         let all_steps = newton_steps + T::terms(63, 34);
         let mut nearly = false;
-        let mut narrow = false;
         let mut step = 0;
         let mut hybrid = self.hybrid(karney, alpha1, true);
         loop {
             let v = hybrid.excess;
             let close = T::EPSILON * if nearly { T::of(8.0) } else { T::ONE };
             let far = v.abs() >= close;
-            if narrow || !far || step == all_steps {
+            if !far || step == all_steps {
                 break;
             }
-            let past = step > newton_steps;
-            if v > T::ZERO && (past || alpha1.cos * high.sin > high.cos * alpha1.sin) {
+            if v > T::ZERO {
                 high = alpha1;
-            } else if v < T::ZERO && (past || alpha1.cos * low.sin < low.cos * alpha1.sin) {
+            } else {
                 low = alpha1;
             }
             step += 1;
@@ -65,12 +63,6 @@ impl<T: Real> Canonical<T> {
             } else {
                 alpha1 = Angle::of((low.sin + high.sin) * T::of(0.5), (low.cos + high.cos) * T::of(0.5));
                 nearly = false;
-                // As narrow as the smaller of sine and cosine tells: next to the equator the arc turns on it.
-                let close = |end: Angle<T>| {
-                    (end.sin - alpha1.sin).abs() < T::EPSILON * alpha1.sin
-                        && (end.cos - alpha1.cos).abs() < T::EPSILON * alpha1.cos.abs()
-                };
-                narrow = close(low) || close(high);
             }
             hybrid = self.hybrid(karney, alpha1, step < newton_steps);
         }
