@@ -1,7 +1,7 @@
 //! Auxiliary latitudes against the truth.
 
-use terrella::latitude::Conversion;
-use terrella::{Ellipsoid, Latitude};
+use terrella::latitude::{Conversion, Shifted};
+use terrella::{Ellipsoid, LatLon, Latitude, Shift};
 
 use crate::table::hold;
 use crate::truth::{Scalar, Truth};
@@ -136,4 +136,34 @@ fn geocentric_and_parametric_at_the_extremes() {
             }
         }
     }
+}
+
+/// Directions next to the flattenings where the series of small tangents end, 0.0198 and 0.0392, the largest that they serve.
+fn turned<T: Scalar>(claim: f64) {
+    for f in [0.0197, 0.0199, 0.039, 0.0394, -0.0201, -0.0406] {
+        let ellipsoid = Ellipsoid::new(T::ONE, T::of(f)).unwrap();
+        let f: f64 = ellipsoid.f().into();
+        for (shift, ratio) in [(Shift::Geocentric, (1.0 - f) * (1.0 - f)), (Shift::Parametric, 1.0 - f)] {
+            let shifted = Shifted::new(ellipsoid, shift).unwrap();
+            for lat in (-89..90).map(|lat| T::of(f64::from(lat))) {
+                let (sin, cos) = lat.into().to_radians().sin_cos();
+                let direction = shifted.to_direction(LatLon::new(lat, T::ZERO).unwrap());
+                let [x, _, z] = direction.to_array().map(Into::<f64>::into);
+                let length = (ratio * sin).hypot(cos);
+                let error = (x - cos / length).hypot(z - ratio * sin / length);
+                let back = shifted.to_lat_lon(direction).lat().into() - lat.into();
+                assert!(
+                    error < claim && back.abs().to_radians() < 2.0 * claim,
+                    "{} {shift} {f} {lat:?}: {error:e}, {back:e} degrees back",
+                    T::NAME
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn directions_of_the_largest_small_corrections() {
+    turned::<f64>(4.5e-16);
+    turned::<f32>(2.4e-7);
 }
