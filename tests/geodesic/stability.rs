@@ -371,6 +371,21 @@ fn nanometres_from_the_equator_count_as_nanometres() {
     }
 }
 
+/// Where the shortest line leaves the equator, to the last digit of the longitude.
+#[test]
+fn the_equator_ends_where_it_does() {
+    for f in [1.0 / 298.257_223_563, 1.0 / 170.0, 1.0 / 20.0, 0.1, 1e-3, 1e-6] {
+        let karney = Karney::new(Ellipsoid::<f64>::new(6_378_137.0, f).unwrap()).unwrap();
+        let leaves = 180.0 * (1.0 - f);
+        for ulps in -20..=20 {
+            let lon = leaves + f64::from(ulps) * leaves * 1.2e-16;
+            let distance = karney.solve(place(0.0, 0.0), place(0.0, lon)).inverse.distance;
+            let equator = 6_378_137.0 * lon.to_radians();
+            assert!((distance - equator).abs() < 1.2e-8, "{f} {ulps}: {distance} {equator}");
+        }
+    }
+}
+
 /// Latitudes an ulp apart whose parametric sines round to the other order: the cosine of an azimuth was the root of a negative number.
 #[test]
 fn all_but_equal_latitudes_have_a_line() {
