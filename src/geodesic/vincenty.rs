@@ -25,8 +25,8 @@ use crate::{Ellipsoid, LatLon, Real};
 /// Three evaluations are usual (`f32`: two), and 40 allowed. An inverse is never wrong: what does not close is
 /// [`GeodesicError::NotConverged`]. No pair of places is known for which that happens, in `f64` or in `f32`; 10⁷ of the hardest were tried.
 ///
-/// Coincident places: distance 0, azimuths 0. A distance below 10⁻¹⁴³ m (10⁻¹² m) may be 0, too. At a pole an azimuth counts from the meridian of the given longitude. Of several
-/// shortest lines one is taken.
+/// Coincident places: distance 0, azimuths 0. A distance below 10⁻¹⁴³ m (10⁻¹² m) may be 0, too. At a pole an azimuth counts from the
+/// meridian of the given longitude. Of several shortest lines one is taken.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, Vincenty};

@@ -80,7 +80,7 @@ impl<T: Real> Canonical<T> {
         let (lat1, lat2) = (lat1 * lat_sign, lat2 * lat_sign);
         let lambda = (lon12 + rest) * T::of(PI / 180.0);
         // Next to the equator the azimuth of a long line turns within its rounding, and Newton's method is lost: these places are taken for
-        // places on it, which moves them by far less than the distance rounds. The side that the line passes on stays: −0.
+        // places on it, half a nanometre away on the Earth (f32: half a millimetre). The side that the line passes on stays: −0.
         let beside = (lambda > T::ONE) & (lat1 >= T::pick(-5e-15, -5e-9));
         let (lat1, lat2) = (select(beside, -T::ZERO, lat1), select(beside, T::ZERO, lat2));
         let (beta1, radius1) = karney.reduced(lat1);

@@ -34,7 +34,7 @@ pub use polygon::PolygonArea;
 /// circuits), other ellipsoids, [`Karney::solve`] and [`Line`] take the general way. The two agree to rounding, not to the bit.
 ///
 /// The general way: series in the third flattening to order 6 on the Earth's ellipsoids and up to 12 beyond them; shorter ones in `f32`; Newton's
-/// method with a bracket, at most 83 steps (`f64`), in practice 2 to 6.
+/// method with a bracket, at most 83 steps (`f64`), in practice 2 to 6 but next to the equator where the shortest line leaves it.
 ///
 /// C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013).
 ///
