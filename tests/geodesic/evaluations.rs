@@ -3,30 +3,29 @@
 use terrella::geodesic::{Karney, Vincenty};
 use terrella::{Ellipsoid, LatLon};
 
-use crate::sample::{place, signed};
+use crate::sample::{even, place, signed};
 use crate::truth::Scalar;
 
 type Pair = fn(&mut fastrand::Rng) -> [f64; 4];
 
 /// Anywhere; within so many degrees of the antipode; there, too, of opposite latitudes.
 const KINDS: [Pair; 6] = [
-    |rng| [latitude(rng), 0.0, latitude(rng), 180.0 * signed(rng)],
+    |rng| {
+        let ((lat1, lon1), (lat2, lon2)) = (even(rng), even(rng));
+        [lat1, lon1, lat2, lon2]
+    },
     |rng| near(rng, 20.0),
     |rng| near(rng, 2.0),
     |rng| near(rng, 0.5),
     |rng| near(rng, 0.01),
     |rng| {
-        let lat = latitude(rng);
+        let lat = even(rng).0;
         [lat, 0.0, -lat, 180.0 - rng.f64()]
     },
 ];
 
-fn latitude(rng: &mut fastrand::Rng) -> f64 {
-    signed(rng).asin().to_degrees()
-}
-
 fn near(rng: &mut fastrand::Rng, within: f64) -> [f64; 4] {
-    let lat = latitude(rng) * (1.0 - within / 90.0);
+    let lat = even(rng).0 * (1.0 - within / 90.0);
     [lat, 0.0, -lat + within * signed(rng), 180.0 - within * rng.f64()]
 }
 
@@ -67,18 +66,18 @@ fn vincenty<T: Scalar>(f: f64, means: [f64; 6], most: usize) {
 
 #[test]
 fn karney_needs_as_few_as_it_says() {
-    karney::<f64>(1.0 / 298.257_223_563, [3.76, 4.38, 4.26, 3.09, 2.66, 2.97], 7);
-    karney::<f32>(1.0 / 298.257_223_563, [2.70, 3.13, 2.98, 2.03, 1.06, 1.97], 5);
-    karney::<f64>(0.1, [4.43, 3.83, 3.139, 3.00, 2.70, 3.00], 6);
-    karney::<f32>(0.1, [3.34, 2.78, 2.02, 2.00, 1.93, 2.00], 5);
-    karney::<f64>(-1.0 / 150.0, [3.86, 4.66, 4.15, 4.00, 3.88, 2.99], 7);
-    karney::<f32>(-1.0 / 150.0, [2.81, 3.45, 2.98, 2.64, 2.52, 2.00], 5);
+    karney::<f64>(1.0 / 298.257_223_563, [3.77, 4.39, 4.29, 3.09, 2.67, 2.97], 7);
+    karney::<f32>(1.0 / 298.257_223_563, [2.71, 3.12, 3.00, 2.03, 1.07, 1.97], 5);
+    karney::<f64>(0.1, [4.44, 3.83, 3.15, 3.00, 2.71, 3.00], 6);
+    karney::<f32>(0.1, [3.36, 2.78, 2.02, 2.00, 1.93, 2.00], 5);
+    karney::<f64>(-1.0 / 150.0, [3.85, 4.67, 4.15, 4.00, 3.89, 2.99], 7);
+    karney::<f32>(-1.0 / 150.0, [2.81, 3.46, 2.99, 2.65, 2.53, 2.00], 5);
 }
 
 #[test]
 fn vincenty_needs_as_few_as_it_says() {
-    vincenty::<f64>(1.0 / 298.257_223_563, [3.01, 3.04, 2.97, 2.95, 2.07, 2.87], 10);
-    vincenty::<f32>(1.0 / 298.257_223_563, [2.00, 2.00, 1.97, 1.95, 1.06, 2.01], 7);
-    vincenty::<f64>(-1.0 / 150.0, [3.03, 3.67, 4.66, 4.28, 3.05, 3.01], 11);
-    vincenty::<f32>(-1.0 / 150.0, [2.01, 2.28, 2.94, 2.73, 2.02, 2.00], 8);
+    vincenty::<f64>(1.0 / 298.257_223_563, [3.01, 3.04, 2.97, 2.95, 2.07, 2.88], 12);
+    vincenty::<f32>(1.0 / 298.257_223_563, [2.00, 2.00, 1.97, 1.95, 1.06, 2.02], 7);
+    vincenty::<f64>(-1.0 / 150.0, [3.03, 3.67, 4.66, 4.24, 3.05, 3.01], 10);
+    vincenty::<f32>(-1.0 / 150.0, [2.01, 2.27, 2.94, 2.71, 2.03, 2.01], 7);
 }

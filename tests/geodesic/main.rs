@@ -10,11 +10,14 @@
 mod along;
 mod andoyer;
 mod bowring;
+mod equator;
 mod evaluations;
 mod flat;
 mod great_circle;
 mod haversine;
 mod karney;
+mod methods;
+mod poles;
 mod sample;
 mod stability;
 #[allow(dead_code)] // shared

@@ -22,6 +22,11 @@ pub fn signed(rng: &mut fastrand::Rng) -> f64 {
     2.0 * rng.f64() - 1.0
 }
 
+/// A latitude and a longitude, evenly over the sphere.
+pub fn even(rng: &mut fastrand::Rng) -> (f64, f64) {
+    (signed(rng).asin().to_degrees(), 180.0 * signed(rng))
+}
+
 /// A number in [−1, 1] of any magnitude down to 1e-16.
 fn tiny(rng: &mut fastrand::Rng) -> f64 {
     10f64.powf(-16.0 * rng.f64()) * signed(rng)

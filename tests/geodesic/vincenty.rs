@@ -7,7 +7,7 @@ use terrella::{Ellipsoid, LatLon};
 
 use crate::along::{Errors, hold, turned};
 use crate::great_circle::places;
-use crate::sample::{awkward, place, signed, worst};
+use crate::sample::{awkward, even, place, signed, worst};
 use crate::truth::{Row, Scalar, Truth};
 
 fn ellipsoid<T: Scalar>(name: &str) -> Ellipsoid<T> {
@@ -205,11 +205,6 @@ fn ends_of_flatter_ellipsoids_too() {
             "{f:.5}: {double:?}, {single:?}"
         );
     }
-}
-
-/// A latitude and a longitude, evenly over the sphere.
-fn even(rng: &mut fastrand::Rng) -> (f64, f64) {
-    (signed(rng).asin().to_degrees(), 180.0 * signed(rng))
 }
 
 #[test]
