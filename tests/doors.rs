@@ -2,11 +2,7 @@
 //!
 //! Behind the doors everything is total: no NaN comes out of what was let in.
 #![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::indexing_slicing
+    missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // a test may fail loudly
 
 use std::collections::BTreeSet;

@@ -1,10 +1,6 @@
 //! The optional conversions: serde, glam, defmt; each test needs its feature.
 #![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::indexing_slicing
+    missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // a test may fail loudly
 
 #[cfg(feature = "serde")]

@@ -1,10 +1,6 @@
 //! The example `pipe`, run as a script would run it.
 #![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::indexing_slicing
+    missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests
 
 use std::io::{BufRead, BufReader, Write};
@@ -394,19 +390,8 @@ fn wrong_command_lines_are_refused() {
 fn help_lists_what_there_is() {
     let general = answers("--help", "");
     for word in [
-        "forward",
-        "inverse",
-        "project",
-        "unproject",
-        "latitude",
-        "geodesic-inverse",
-        "geodesic-direct",
-        "to-ecef",
-        "from-ecef",
-        "to-enu",
-        "from-enu",
-        "f64, f32",
-        "error: why",
+        "forward", "inverse", "project", "unproject", "latitude", "geodesic-inverse", "geodesic-direct", "to-ecef",
+        "from-ecef", "to-enu", "from-enu", "f64, f32", "error: why",
     ] {
         assert!(general.contains(word), "{word}");
     }

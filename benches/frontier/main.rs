@@ -4,11 +4,7 @@
 
 // A bench may stop at what cannot be; columns are addressed by index, the bounds come from the loops around them.
 #![allow(
-    clippy::expect_used,
-    clippy::panic,
-    clippy::unwrap_used,
-    clippy::indexing_slicing,
-    missing_docs
+    clippy::expect_used, clippy::panic, clippy::unwrap_used, clippy::indexing_slicing, missing_docs
 )]
 
 mod bars;

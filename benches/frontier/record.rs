@@ -49,13 +49,7 @@ impl Record {
     /// All that tells one measurement from another.
     pub fn key(&self) -> [&str; 7] {
         [
-            &self.chart,
-            &self.operation,
-            &self.library,
-            &self.method,
-            &self.scalar,
-            &self.mode,
-            &self.input,
+            &self.chart, &self.operation, &self.library, &self.method, &self.scalar, &self.mode, &self.input,
         ]
     }
 

@@ -1,10 +1,6 @@
 //! Worst errors against the truth in `tests/truth`: the figures of `table.rs`, held one by one.
 #![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::indexing_slicing
+    missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests
 
 mod cube;

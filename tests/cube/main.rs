@@ -1,10 +1,6 @@
 //! The cube: frames, neighbours, numberings, and what every projection keeps on faces, edges and corners.
 #![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::indexing_slicing
+    missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // a test may fail loudly
 
 mod edges;

@@ -1,10 +1,6 @@
 //! Derivatives against truth, and what follows from them: Tissot's indicatrix, texels, surveys.
 #![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::indexing_slicing
+    missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests
 
 mod corner;

@@ -1,10 +1,6 @@
 //! Laws that hold for any input, each defined once: here proptest looks for what breaks them, in `fuzz/` libFuzzer does.
 #![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::indexing_slicing
+    missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests
 
 mod areas;

@@ -1,10 +1,6 @@
 //! What scenes choose, against the truth: no bound is exceeded, none is idle, and nothing dearer than needed is taken.
 #![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::indexing_slicing,
-    missing_docs
+    clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, missing_docs
 )]
 
 mod cost;

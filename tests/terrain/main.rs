@@ -1,10 +1,6 @@
 //! Terrain: tiles and their addresses.
 #![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::indexing_slicing
+    missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // a test may fail loudly
 
 mod bounds;
