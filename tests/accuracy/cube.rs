@@ -2,6 +2,7 @@
 
 use terrella::Direction;
 use terrella::cube::{CubeProjection, Face, FacePoint, Projection};
+use testkit::{Worst, maximum};
 
 use crate::table::hold_projection;
 use crate::truth::{Row, Scalar, Truth};
@@ -35,7 +36,7 @@ fn forward_error<T: Scalar>(projection: Projection, row: Row) -> f64 {
     let point = projection.project(Direction::new(x, y, z).unwrap());
     let face = Face::from_index(row.value("face") as u8).unwrap();
     if point.face() == face {
-        return row.error("x", point.x()).max(row.error("y", point.y()));
+        return maximum(row.error("x", point.x()), row.error("y", point.y()));
     }
     // Where a tie is decided by the rounding of the input, the neighbour's point must be the same direction.
     let theirs = FacePoint::new(face, row.value("x"), row.value("y")).unwrap();
@@ -68,12 +69,11 @@ fn against_truth<T: Scalar>(projection: Projection) -> [f64; 2] {
         .exact_in::<T>(&EARTH)
         .into_iter()
         .map(|row| forward_error::<T>(projection, row));
-    let forward = forward.fold(0.0, f64::max);
     let inverse = inverse
         .exact_in::<T>(&["x", "y"])
         .into_iter()
         .map(|row| inverse_error::<T>(projection, row));
-    [forward, inverse.fold(0.0, f64::max)]
+    [Worst::of(forward), Worst::of(inverse)]
 }
 
 /// A coordinate, often on or near an edge, a diagonal's end or a midline.
@@ -91,7 +91,7 @@ fn coordinate(rng: &mut fastrand::Rng) -> f32 {
 /// The largest errors of `f32` against `f64`, forward and inverse, over many points.
 fn against_double(projection: Projection, points: usize) -> [f64; 2] {
     let mut rng = fastrand::Rng::with_seed(2);
-    let mut worst = [0.0_f64; 2];
+    let mut worst = [Worst::default(); 2];
     for _ in 0..points {
         let face = Face::ALL[rng.usize(0..6)];
         let x = coordinate(&mut rng);
@@ -111,17 +111,17 @@ fn against_double(projection: Projection, points: usize) -> [f64; 2] {
         // HEALPix compares 3|z| with 2, which rounds.
         assert!(p.face() == q.face() || projection == Projection::Healpix);
         if p.face() == q.face() {
-            let error = (f64::from(p.x()) - q.x()).abs().max((f64::from(p.y()) - q.y()).abs());
-            worst[0] = worst[0].max(error);
+            worst[0].add((f64::from(p.x()) - q.x()).abs());
+            worst[0].add((f64::from(p.y()) - q.y()).abs());
         }
 
         let single = projection.unproject(FacePoint::new(face, x, y).unwrap()).to_array();
         let double = projection
             .unproject(FacePoint::new(face, x.into(), y.into()).unwrap())
             .to_array();
-        worst[1] = worst[1].max(distance(single.map(f64::from), double));
+        worst[1].add(distance(single.map(f64::from), double));
     }
-    worst
+    worst.map(Worst::value)
 }
 
 #[test]
@@ -132,8 +132,8 @@ fn projections_are_as_accurate_as_claimed() {
         let wide = against_double(projection, 100_000);
         hold_projection(
             projection,
-            [double[0], single[0].max(wide[0])],
-            [double[1], single[1].max(wide[1])],
+            [double[0], maximum(single[0], wide[0])],
+            [double[1], maximum(single[1], wide[1])],
         );
     }
 }

@@ -1,6 +1,7 @@
 //! The kernels of `math`: against the truth, and in `f32` over many arguments against `f64`.
 
 use terrella::{Real, math};
+use testkit::{Worst, maximum};
 
 use crate::table::hold;
 use crate::truth::{Scalar, Truth, ulps_between};
@@ -21,30 +22,30 @@ trait Kernel {
 fn against_truth<K: Kernel, T: Scalar>() -> f64 {
     let truth = Truth::read(K::FILE);
     let limit = if T::NAME == "f32" { K::LIMIT } else { f64::INFINITY };
-    let mut worst = 0.0_f64;
+    let mut worst = Worst::default();
     for row in truth.exact_in::<T>(K::ARGUMENTS) {
         if row.value(K::ARGUMENTS[0]).abs() <= limit {
             let arguments: Vec<T> = K::ARGUMENTS.iter().map(|column| row.input(column)).collect();
             for (column, result) in K::RESULTS.iter().zip(K::call(&arguments)) {
-                worst = worst.max(row.ulps(column, result));
+                worst.add(row.ulps(column, result));
             }
         }
     }
-    worst
+    worst.value()
 }
 
 /// The largest error in ulp of `f32` against `f64` over many arguments.
 fn against_double<K: Kernel>() -> f64 {
     let mut rng = fastrand::Rng::with_seed(1);
-    let mut worst = 0.0_f64;
+    let mut worst = Worst::default();
     for _ in 0..300_000 {
         let single = K::arguments(&mut rng);
         let double: Vec<f64> = single.iter().copied().map(f64::from).collect();
         for (s, d) in K::call(&single).into_iter().zip(K::call(&double)) {
-            worst = worst.max(ulps_between(s, d));
+            worst.add(ulps_between(s, d));
         }
     }
-    worst
+    worst.value()
 }
 
 fn signed(rng: &mut fastrand::Rng) -> f32 {
@@ -70,7 +71,7 @@ macro_rules! kernel {
                     $random.into()
                 }
             }
-            let single = against_truth::<Here, f32>().max(against_double::<Here>());
+            let single = maximum(against_truth::<Here, f32>(), against_double::<Here>());
             hold(Here::NAME, [against_truth::<Here, f64>(), single]);
         }
     };
@@ -83,7 +84,7 @@ kernel!(sin_cos_degrees("x") -> ["sin", "cos"], "kernel_sin_cos_degrees",
 kernel!(tan("x") -> ["tan"], "kernel_tan",
     |x| [math::tan(x[0])], |rng| [core::f32::consts::FRAC_PI_4 * signed(rng)]);
 kernel!(atan("x") -> ["atan"], "kernel_atan",
-    |x| [math::atan(x[0])], |rng| [signed(rng) / rng.f32().max(1e-6)]);
+    |x| [math::atan(x[0])], |rng| [signed(rng) / (rng.f32() + 1e-6)]);
 kernel!(atan2("y", "x") -> ["atan2_radians"], "kernel_atan2",
     |x| [math::atan2(x[0], x[1])], |rng| [signed(rng), signed(rng)]);
 kernel!(atan2_degrees("y", "x") -> ["atan2_degrees"], "kernel_atan2",

@@ -2,6 +2,7 @@
 
 use terrella::latitude::{Conversion, Shifted};
 use terrella::{Ellipsoid, LatLon, Latitude, Shift};
+use testkit::{Worst, maximum};
 
 use crate::table::hold;
 use crate::truth::{Scalar, Truth};
@@ -19,21 +20,21 @@ fn conversion<T: Scalar>(ellipsoid: &str, from: Latitude, to: Latitude) -> Conve
 }
 
 #[derive(Default)]
-struct Worst {
+struct Errors {
     /// Of an angle from the geodetic latitude, in radians.
-    angle: f64,
+    angle: Worst,
     /// Of the isometric latitude, relative to it or to 1.
-    isometric: f64,
+    isometric: Worst,
     /// Of any of them below 0.1 in its unit, in ulp.
-    tiny: f64,
+    tiny: Worst,
     /// Of the geodetic latitude from any of them but the isometric, in radians.
-    geodetic: f64,
+    geodetic: Worst,
     /// Of the geodetic latitude from the isometric, in radians.
-    of_isometric: f64,
+    of_isometric: Worst,
 }
 
-fn worst<T: Scalar>() -> Worst {
-    let mut worst = Worst::default();
+fn worst<T: Scalar>() -> Errors {
+    let mut worst = Errors::default();
     for ellipsoid in ELLIPSOIDS {
         for (unit, radian) in [("deg", 1f64.to_radians()), ("rad", 1.0)] {
             let truth = Truth::read(&format!("auxlat_{ellipsoid}_{unit}"));
@@ -54,13 +55,13 @@ fn worst<T: Scalar>() -> Worst {
                     }
                     let error = row.error(to.name(), value);
                     if to == Latitude::Isometric {
-                        worst.isometric = worst.isometric.max(error / expected.abs().max(1.0));
+                        worst.isometric.add(error / maximum(expected.abs(), 1.0));
                     } else {
-                        worst.angle = worst.angle.max(error * radian);
+                        worst.angle.add(error * radian);
                     }
                     // Down to where products with the latitude become subnormal.
                     if (1e-290..0.1).contains(&expected.abs()) && expected.abs() > 1e20 * f64::from(f32::MIN_POSITIVE) {
-                        worst.tiny = worst.tiny.max(row.ulps(to.name(), value));
+                        worst.tiny.add(row.ulps(to.name(), value));
                     }
                 }
             }
@@ -75,7 +76,7 @@ fn worst<T: Scalar>() -> Worst {
             } else {
                 &mut worst.geodetic
             };
-            *worst = worst.max(error);
+            worst.add(error);
         }
     }
     worst
@@ -84,17 +85,12 @@ fn worst<T: Scalar>() -> Worst {
 #[test]
 fn latitudes_are_as_accurate_as_claimed() {
     let (double, single) = (worst::<f64>(), worst::<f32>());
-    hold("latitude of a geodetic one", [double.angle, single.angle]);
-    hold("geodetic latitude of another", [double.geodetic, single.geodetic]);
-    hold(
-        "geodetic latitude of an isometric one",
-        [double.of_isometric, single.of_isometric],
-    );
-    hold(
-        "isometric latitude, relative to 1 or more",
-        [double.isometric, single.isometric],
-    );
-    hold("latitudes below 0.1, relative", [double.tiny, single.tiny]);
+    let hold = |what, of: fn(&Errors) -> Worst| hold(what, [of(&double).value(), of(&single).value()]);
+    hold("latitude of a geodetic one", |errors| errors.angle);
+    hold("geodetic latitude of another", |errors| errors.geodetic);
+    hold("geodetic latitude of an isometric one", |errors| errors.of_isometric);
+    hold("isometric latitude, relative to 1 or more", |errors| errors.isometric);
+    hold("latitudes below 0.1, relative", |errors| errors.tiny);
 }
 
 #[test]

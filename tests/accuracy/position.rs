@@ -1,6 +1,7 @@
 //! Latitude and longitude to a direction and back, against the truth.
 
 use terrella::{Direction, LatLon};
+use testkit::{Worst, maximum};
 
 use crate::table::hold;
 use crate::truth::{Scalar, Truth};
@@ -19,7 +20,7 @@ fn direction<T: Scalar>() -> f64 {
             .map(|(column, v)| row.error(column, v).powi(2));
         squares.sum::<f64>().sqrt()
     });
-    errors.fold(0.0, f64::max)
+    Worst::of(errors)
 }
 
 /// The largest error of a latitude or longitude, in ulp.
@@ -28,9 +29,9 @@ fn lat_lon<T: Scalar>() -> f64 {
     let errors = truth.exact_in::<T>(&["x", "y", "z"]).into_iter().map(|row| {
         let [x, y, z] = ["x", "y", "z"].map(|column| row.input::<T>(column));
         let place = Direction::new(x, y, z).unwrap().to_lat_lon();
-        row.ulps("lat", place.lat()).max(row.ulps("lon", place.lon()))
+        maximum(row.ulps("lat", place.lat()), row.ulps("lon", place.lon()))
     });
-    errors.fold(0.0, f64::max)
+    Worst::of(errors)
 }
 
 #[test]

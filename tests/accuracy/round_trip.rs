@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 use terrella::cube::{CubeMap, Face, FacePoint, Projection};
 use terrella::{Ellipsoid, LatLon, Shift};
+use testkit::Worst;
 
 use crate::table::hold;
 use crate::truth::Scalar;
@@ -59,15 +60,13 @@ fn worst<T: Scalar>(projection: Projection, shift: Shift, points: usize, round: 
     let places = CubeMap::new(Ellipsoid::<f64>::wgs84(), shift, projection).unwrap();
     let map = CubeMap::new(Ellipsoid::<T>::wgs84(), shift, projection).unwrap();
     let mut rng = fastrand::Rng::with_seed(3);
-    let mut worst = 0.0;
+    let mut worst = Worst::default();
     for _ in 0..points {
         let [lat, lon] = place(&mut rng, &places).map(round);
         let there = LatLon::new(lat, lon).unwrap();
-        let error = metres(there, map.unproject(map.project(there)));
-        // Not f64::max, which would drop a NaN.
-        worst = if error <= worst { worst } else { error };
+        worst.add(metres(there, map.unproject(map.project(there))));
     }
-    worst
+    worst.value()
 }
 
 /// Every projection that closes (COBE's published pair does not) with every shift.
@@ -90,7 +89,7 @@ fn round_trips(points: usize) {
     for (projection, shift, [double, single]) in &measured {
         println!("{projection} {shift}: {:.2} nm, {single:.2} m", double * 1e9);
     }
-    let largest = |i: usize| measured.iter().map(|(_, _, errors)| errors[i]).fold(0.0, f64::max);
+    let largest = |i: usize| Worst::of(measured.iter().map(|(_, _, errors)| errors[i]));
     hold(
         "LatLon to FacePoint and back, any projection and shift",
         [largest(0), largest(1)],
