@@ -2,6 +2,7 @@
 
 use terrella::cube::{CubeMap, Projection};
 use terrella::{Ellipsoid, LatLon, Shift};
+use testkit::Worst;
 
 /// Cells along an edge, and places for a cell on average.
 const CELLS: usize = 8;
@@ -40,7 +41,7 @@ fn deviations(projection: Projection, ellipsoid: Ellipsoid<f64>, shift: Shift) -
     let freedom = (cells - 1) as f64;
     [
         (squares - freedom).abs() / (2.0 * freedom).sqrt(),
-        off.fold(0.0, f64::max) / sigma,
+        Worst::of(off) / sigma,
     ]
 }
 

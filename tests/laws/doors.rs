@@ -18,6 +18,7 @@ use terrella::{
     Direction, Ecef, Ellipsoid, Enu, Geodetic, InvalidDirection, InvalidEcef, InvalidEllipsoid, InvalidHeight,
     InvalidLatLon, LatLon, Latitude, LocalFrame, NAMED, Shift, Shifted,
 };
+use testkit::{maximum, minimum};
 
 use crate::bytes::Bytes;
 use crate::law::laws;
@@ -92,7 +93,7 @@ fn lat_lon<T: Scalar>(bytes: &mut Bytes<'_>) {
 /// A vector scaled by a power of two to a largest component in [½, 2): exact.
 fn scaled<T: Scalar>(v: [T; 3]) -> [f64; 3] {
     let v = v.map(Into::<f64>::into);
-    let largest = v.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    let largest = v.iter().fold(0.0, |a: f64, b| maximum(a, b.abs()));
     let shift = -largest.log2().floor() as i32;
     // In two steps, as 2^1074 is no number.
     v.map(|c| c * 2f64.powi(shift / 2) * 2f64.powi(shift - shift / 2))
@@ -250,7 +251,7 @@ fn ellipsoid<T: Scalar>(bytes: &mut Bytes<'_>) {
             // A mean radius is between the axes.
             let (a, b) = (a.into(), e.b().into());
             let slack = 1.0 + 4.0 * T::EPSILON.into();
-            let between = |r: T| r.into() <= a.max(b) * slack && r.into() * slack >= a.min(b);
+            let between = |r: T| r.into() <= maximum(a, b) * slack && r.into() * slack >= minimum(a, b);
             assert!(radii.iter().all(|&r| between(r)), "{e:?}: {radii:?}");
         }
         Err(why @ InvalidEllipsoid::SemiMajorAxis(refused)) => {

@@ -2,6 +2,7 @@
 
 use terrella::Direction;
 use terrella::cube::{CubeProjection, Edge, FacePoint, Projection};
+use testkit::{Worst, maximum};
 
 use crate::bytes::Bytes;
 use crate::law::laws;
@@ -26,7 +27,7 @@ fn seam<T: Scalar>(bytes: &mut Bytes<'_>) {
     );
     let direction = |face, [x, y]: [T; 2]| projection.unproject(FacePoint::new(face, x, y).unwrap()).to_array();
     let (a, b) = (direction(face, here), direction(neighbour.face, there));
-    let moved = (0..3).map(|i| ulps(a[i], b[i])).fold(0.0, f64::max);
+    let moved = Worst::of((0..3).map(|i| ulps(a[i], b[i])));
     let between = f64::from(inside + outside);
     // A projection that is exact on its edges rounds once more beside them.
     let exact = if projection == Projection::Healpix { 1.0 } else { 0.0 };
@@ -76,17 +77,15 @@ fn step<T: Scalar>(bytes: &mut Bytes<'_>) {
         };
         beyond(here, edge, neighbour.turns)
     };
-    let moved = ulps(expected[0], to.x()).max(ulps(expected[1], to.y()));
+    let moved = maximum(ulps(expected[0], to.x()), ulps(expected[1], to.y()));
     let (before, after) = (start.to_array(), end.to_array());
-    let count = (0..3).map(|i| ulps(before[i], after[i])).fold(0.0, f64::max);
+    let count = Worst::of((0..3).map(|i| ulps(before[i], after[i])));
     let allowed = match projection {
         Projection::Conformal => {
             // Near a corner a coordinate goes with the ¾th power of the distance.
             let ulp = 0.5 * T::EPSILON.into();
             let near = |v: T| 1.0 - v.abs().into();
-            let corner = near(from.x())
-                .hypot(near(from.y()))
-                .max(((count + 2.0) * ulp).powf(0.75));
+            let corner = maximum(near(from.x()).hypot(near(from.y())), ((count + 2.0) * ulp).powf(0.75));
             (2.0 * count + 8.0) * corner.powf(-1.0 / 3.0)
         }
         _ => 3.0 * count + 6.0,

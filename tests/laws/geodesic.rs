@@ -3,6 +3,7 @@
 use geographiclib_rs::{DirectGeodesic, Geodesic as Theirs, InverseGeodesic, PolygonArea, Winding};
 use terrella::geodesic::{Area, Direct, Geodesic, GeodesicError, Inverse, Karney, Method};
 use terrella::{Ellipsoid, LatLon};
+use testkit::{maximum, minimum};
 
 use crate::bytes::Bytes;
 use crate::law::laws;
@@ -45,7 +46,7 @@ fn known<T: Scalar>(answer: f64, ellipsoid: Ellipsoid<T>, (from, to): (LatLon<T>
 /// does not reach azimuths that are so near to 90°, and is up to 0.3 µm off, 50 µm for f = 1/20.
 fn their_distance<T: Scalar>(answer: f64, ellipsoid: Ellipsoid<T>, (from, to): (LatLon<T>, LatLon<T>)) -> f64 {
     let ((lat1, lon1), (lat2, lon2)) = (coordinates(from), coordinates(to));
-    if answer > 1e7 && lat1.abs().max(lat2.abs()) < 1e-14 {
+    if answer > 1e7 && maximum(lat1.abs(), lat2.abs()) < 1e-14 {
         reference(ellipsoid).inverse(0.0, lon1, 0.0, lon2)
     } else {
         answer
@@ -106,7 +107,7 @@ fn leads<T: Scalar>(ellipsoid: Ellipsoid<T>, (from, to): (LatLon<T>, LatLon<T>),
 
 /// What distances half way round the equator may be off besides in `f32`.
 fn beside<T: Scalar>(ellipsoid: Ellipsoid<T>, [lat1, lat2]: [f64; 2], distance: f64) -> f64 {
-    let equator = lat1.abs().max(lat2.abs()) < 1e-4;
+    let equator = maximum(lat1.abs(), lat2.abs()) < 1e-4;
     let half_way = distance > 0.97 * core::f64::consts::PI * ellipsoid.b().into();
     if T::NAME == "f32" && equator && half_way {
         30.0
@@ -146,7 +147,7 @@ fn inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
         leads(ellipsoid, (from, to), line, allowed + aside + 2.0 * theirs(ellipsoid));
     }
     if T::NAME == "f32" && expected < 1.5e5 && ellipsoid == Ellipsoid::wgs84() {
-        let error = (karney.inverse(from, to).unwrap().distance.into() - expected).abs() / expected.max(1.0);
+        let error = (karney.inverse(from, to).unwrap().distance.into() - expected).abs() / maximum(expected, 1.0);
         let allowed = claim("Karney inverse to 150 km, relative to 1 m or more")[1];
         assert!(error <= allowed, "{from:?} {to:?}: {error:e} of {expected:?}");
     }
@@ -245,7 +246,7 @@ fn lengths<T: Scalar>(bytes: &mut Bytes<'_>) {
     let allowed = claimed(ellipsoid, "Karney inverse, reduced length", ELSEWHERE, s12) + theirs(ellipsoid);
     let error = (solution.reduced_length.into() - m12).abs();
     assert!(error <= allowed, "{}: {error:e}", context());
-    let radians = allowed / ellipsoid.b().into().min(ellipsoid.a().into());
+    let radians = allowed / minimum(ellipsoid.b().into(), ellipsoid.a().into());
     let arc = (solution.arc.into() - a12).abs().to_radians();
     assert!(arc <= 2.0 * radians, "{}: {arc:e} rad", context());
     for (found, expected) in [(solution.scale12, scale12), (solution.scale21, scale21)] {
@@ -278,7 +279,7 @@ fn area<T: Scalar>(bytes: &mut Bytes<'_>) {
     // Over a pole there is as much of the hemisphere to the east as to the west.
     let half = 0.5 * 510_065_621_724_088.44;
     let error = if (lon2 - lon1).abs() == 180.0 {
-        error.min((error - half).abs())
+        minimum(error, (error - half).abs())
     } else {
         error
     };
@@ -319,7 +320,7 @@ fn polygon<T: Scalar>(bytes: &mut Bytes<'_>) {
     // A polygon of half the ellipsoid is of either sign.
     let whole = 510_065_621_724_088.44;
     let error = (found - signed).abs();
-    let error = error.min((error - whole).abs());
+    let error = minimum(error, (error - whole).abs());
     assert!(
         error <= count * (0.2 + single_area) && (around - perimeter).abs() <= count * (3e-8 + single_length),
         "{} {corners:?}: {found:?} {signed:?}, {around:?} {perimeter:?}",
@@ -403,7 +404,7 @@ fn claim_of<T: Scalar>(method: Method, ellipsoid: Ellipsoid<T>, lat: f64, distan
             ];
             let (_, double, metres) = claims.into_iter().find(|(limit, ..)| f <= *limit)?;
             // Of a longer line the series' error grows with it.
-            let circuits = (distance / 2e7).max(1.0);
+            let circuits = maximum(distance / 2e7, 1.0);
             let rounding = if single { 1e-7 } else { 2e-16 } * distance;
             let scaled = |claim: f64| if single { metres } else { claim } * circuits + rounding;
             return Some(double.map(scaled));
@@ -483,9 +484,9 @@ fn methods_inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
     }
     let turn = |found: f64, expected: f64| {
         let turn = (found - expected).abs();
-        turn.min((360.0 - turn).abs()).to_radians()
+        minimum(turn, (360.0 - turn).abs()).to_radians()
     };
-    let error = turn(azimuth1, azi1).max(turn(azimuth2, azi2)) * m12.abs();
+    let error = maximum(turn(azimuth1, azi1), turn(azimuth2, azi2)) * m12.abs();
     assert!(
         error <= azimuth + theirs(ellipsoid),
         "{}, {expected:?}: {error:e}",

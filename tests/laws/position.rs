@@ -4,6 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use terrella::latitude::Conversion;
 use terrella::{Aer, Ecef, Ellipsoid, Enu, Geodetic, Latitude, LocalFrame, Ned};
+use testkit::maximum;
 
 use crate::bytes::Bytes;
 use crate::double::{Double, of, sin_cos_degrees};
@@ -66,7 +67,7 @@ fn to_lat_lon<T: Scalar>(bytes: &mut Bytes<'_>) {
         claim("math::atan2_degrees")[T::CLAIM],
     ];
     for ((angle, sin, cos), allowed) in [(place.lat(), z, across), (place.lon(), y, x)].into_iter().zip(allowed) {
-        if sin.high.abs().max(cos.high.abs()) > least
+        if maximum(sin.high.abs(), cos.high.abs()) > least
             && (sin.high.abs() > least || angle == T::ZERO)
             && cos.high.abs() > 0.0
         {
@@ -117,7 +118,7 @@ fn claimed<T: Scalar>(name: &str, height: f64) -> f64 {
     if height.abs() <= 1e5 {
         near[T::CLAIM]
     } else {
-        far[T::CLAIM] * (height.abs() / 5e7).max(1.0)
+        far[T::CLAIM] * maximum(height.abs() / 5e7, 1.0)
     }
 }
 
@@ -127,7 +128,7 @@ fn elsewhere<T: Scalar>(ellipsoid: Ellipsoid<T>) -> f64 {
     if ellipsoid == Ellipsoid::wgs84() {
         1.0
     } else {
-        3.0 * curved.max(1.0 / curved)
+        3.0 * maximum(curved, 1.0 / curved)
     }
 }
 
@@ -184,7 +185,7 @@ fn to_geodetic<T: Scalar>(bytes: &mut Bytes<'_>) {
     }
     let error = miss(point.to_array(), exact(ellipsoid, position));
     // Within the Earth the place on the ground errs as one on it.
-    let allowed = claimed::<T>("Ellipsoid::to_geodetic", height.max(0.0)) * elsewhere(ellipsoid);
+    let allowed = claimed::<T>("Ellipsoid::to_geodetic", maximum(height, 0.0)) * elsewhere(ellipsoid);
     assert!(error <= allowed, "{}, {error:e}", context());
 }
 
@@ -197,7 +198,7 @@ fn nearest<T: Scalar>(bytes: &mut Bytes<'_>) {
     };
     let ellipsoid = Ellipsoid::<T>::new(T::of(6.4e6), f).unwrap();
     let (a, b): (f64, f64) = (ellipsoid.a().into(), ellipsoid.b().into());
-    let reach = a * ellipsoid.e2().into().abs().max(1e-4);
+    let reach = a * maximum(ellipsoid.e2().into().abs(), 1e-4);
     let size = bytes.choice(&[reach, 10.0 * reach, a, 8.0 * a]);
     let point = Ecef::new(bytes.within::<T>(size), bytes.within(size), bytes.within(size)).unwrap();
     let [x, y, z] = point.to_array().map(Into::<f64>::into);
@@ -205,9 +206,9 @@ fn nearest<T: Scalar>(bytes: &mut Bytes<'_>) {
     let height: f64 = found.height().into();
     let rho = x.hypot(y);
     let least = searched(a, b, rho, z);
-    let curved = (a * a / b).max(b * b / a);
+    let curved = maximum(a * a / b, b * b / a);
     let digits = if T::NAME == "f32" { 2.5 } else { 1e-8 };
-    let allowed = digits * least.max(curved) / a;
+    let allowed = digits * maximum(least, curved) / a;
     let context = || format!("{} {ellipsoid:?} {point:?}: {found:?}, {least}", T::NAME);
     assert!((height.abs() - least).abs() <= allowed, "{}", context());
     let inside = (rho / a).powi(2) + (z / b).powi(2) < 1.0;
@@ -237,7 +238,10 @@ fn frames<T: Scalar>(bytes: &mut Bytes<'_>) {
     };
     let epsilon: f64 = T::EPSILON.into();
     // Not its square root, which underflows.
-    let range = 2.0 * components(enu).iter().fold(0.0_f64, |largest, v| largest.max(v.abs()));
+    let range = 2.0
+        * components(enu)
+            .iter()
+            .fold(0.0_f64, |largest, v| maximum(largest, v.abs()));
     let context = || format!("{} {origin:?} {enu:?}", T::NAME);
     let back = frame.vector_to_enu(frame.vector_from_enu(enu));
     // Not below the smallest normal number, whose products have no digits.
@@ -285,7 +289,7 @@ fn pointing<T: Scalar>(bytes: &mut Bytes<'_>) {
         context()
     );
     let exact = components(enu);
-    let largest = exact.iter().fold(0.0_f64, |largest, v| largest.max(v.abs()));
+    let largest = exact.iter().fold(0.0_f64, |largest, v| maximum(largest, v.abs()));
     let ends = [T::SMALLEST_NORMAL.into() * 1e3, T::LARGEST.into() * 0.25];
     if largest < ends[0] || largest > ends[1] {
         return;
@@ -356,7 +360,7 @@ fn latitudes_close<T: Scalar>(bytes: &mut Bytes<'_>) {
     let error = (again.into() - value.into()).abs() * radian;
     // A step of the one is one of up to (1 − f)^±2 of the other.
     let squeeze = (1.0 - ellipsoid.f().into()).powi(2);
-    let mut allowed = (claimed_angle::<T>(from) + claimed_angle::<T>(to)) * squeeze.max(1.0 / squeeze);
+    let mut allowed = (claimed_angle::<T>(from) + claimed_angle::<T>(to)) * maximum(squeeze, 1.0 / squeeze);
     if isometric {
         // By the slope, the secant of the latitude.
         allowed = (allowed + 0.5 * T::EPSILON.into()) * value.into().cosh() + T::EPSILON.into() * value.into().abs();
@@ -467,7 +471,7 @@ fn latitudes_are_true<T: Scalar>(bytes: &mut Bytes<'_>) {
     }
     let expected = textbook(f * (2.0 - f), kind, exact);
     let claimed = if kind == Latitude::Isometric {
-        claim("isometric latitude, relative to 1 or more")[T::CLAIM] * expected.abs().max(1.0)
+        claim("isometric latitude, relative to 1 or more")[T::CLAIM] * maximum(expected.abs(), 1.0)
     } else {
         claim("latitude of a geodetic one")[T::CLAIM]
     };

@@ -212,6 +212,7 @@ pub fn direction(projection: Projection, polar: bool, point: [f64; 2]) -> Option
 #[cfg(test)]
 mod tests {
     use terrella::cube::{Face, Projection};
+    use testkit::Worst;
 
     use super::direction;
     use crate::truth::Truth;
@@ -235,16 +236,17 @@ mod tests {
             (Projection::Separable, "separable"),
         ];
         for (projection, file) in files {
-            let mut worst = 0.0_f64;
+            let mut worst = Worst::default();
             for row in Truth::read(&format!("cube_{file}_inverse")).exact_in::<f64>(&["x", "y"]) {
                 let face = Face::from_index(row.value("face") as u8).unwrap();
                 let local = direction(projection, face.is_polar(), [row.value("x"), row.value("y")]).unwrap();
                 let [high, low] = [0, 1].map(|part| face.to_earth(local.map(|component| component[part])));
                 // The truth's columns are the paper's axes, in the order of the Earth's.
                 for (i, column) in ["vz", "vx", "vy"].into_iter().enumerate() {
-                    worst = worst.max((row.deviation(column, high[i]) + low[i]).abs());
+                    worst.add((row.deviation(column, high[i]) + low[i]).abs());
                 }
             }
+            let worst = worst.value();
             println!("{projection}: {worst:.1e}");
             assert!(worst < 1e-20, "{projection}: {worst:e}");
         }

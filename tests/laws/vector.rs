@@ -1,5 +1,7 @@
 //! Vectors of three components, so exactly that the errors of `f64` show.
 
+use testkit::Worst;
+
 /// a·b − c·d to within two roundings of the result (Kahan).
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let product = c * d;
@@ -45,8 +47,5 @@ pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// The largest difference of a component.
 pub fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
-    // Not f64::max, which would drop a NaN.
-    (0..3)
-        .map(|i| (a[i] - b[i]).abs())
-        .fold(0.0, |worst, d| if d <= worst { worst } else { d })
+    Worst::of((0..3).map(|i| (a[i] - b[i]).abs()))
 }
