@@ -3,6 +3,7 @@
 use geographiclib_rs::{DirectGeodesic, Geodesic as Reference, InverseGeodesic};
 use terrella::Ellipsoid;
 use terrella::geodesic::Geodesic;
+use testkit::{maximum, minimum};
 
 use crate::sample::{place, signed};
 use crate::truth::Scalar;
@@ -33,13 +34,13 @@ pub fn measure<T: Scalar>(method: &impl Geodesic<T>, distance: f64, (low, high):
         let (true_s, azimuth1, azimuth2, reduced, _): (f64, f64, f64, f64, f64) =
             reference.inverse(lat1, lon1, to.lat().into(), to.lon().into());
         let line = method.inverse(from, to).unwrap();
-        let turn = turned(line.azimuth1, azimuth1).max(turned(line.azimuth2, azimuth2));
+        let turn = maximum(turned(line.azimuth1, azimuth1), turned(line.azimuth2, azimuth2));
         let errors = [(line.distance.into() - true_s).abs(), turn * reduced.abs(), miss];
         for (worst, error) in [&mut worst.distance, &mut worst.azimuth, &mut worst.position]
             .into_iter()
             .zip(errors)
         {
-            *worst = if error <= *worst { *worst } else { error };
+            *worst = maximum(*worst, error);
         }
     }
     worst
@@ -48,7 +49,7 @@ pub fn measure<T: Scalar>(method: &impl Geodesic<T>, distance: f64, (low, high):
 /// The angle between two azimuths, in radians.
 pub fn turned<T: Scalar>(computed: T, truth: f64) -> f64 {
     let degrees = (computed.into() - truth).abs();
-    degrees.min((360.0 - degrees).abs()).to_radians()
+    minimum(degrees, (360.0 - degrees).abs()).to_radians()
 }
 
 /// What single precision adds: to a length or an angle times it, and to a position, where the distance's own rounding counts too.

@@ -2,6 +2,7 @@
 
 use terrella::Ellipsoid;
 use terrella::geodesic::{Geodesic, Karney, Vincenty};
+use testkit::minimum;
 
 use crate::sample::place;
 
@@ -69,7 +70,7 @@ fn nanometres_from_the_equator_count_as_nanometres() {
     for f in [1.0 / 298.257_223_563, 1.0 / 20.0, -1.0 / 20.0, 1e-3] {
         let karney = Karney::new(Ellipsoid::<f64>::new(6_378_137.0, f).unwrap()).unwrap();
         let leaves = 180.0 * (1.0 - f.abs());
-        for lon in [-0.1, -1e-3, -7e-5, -1e-8, 1e-8, 3e-4, 0.1].map(|beyond| (leaves + beyond).min(180.0)) {
+        for lon in [-0.1, -1e-3, -7e-5, -1e-8, 1e-8, 3e-4, 0.1].map(|beyond| minimum(leaves + beyond, 180.0)) {
             let on = karney.solve(place(0.0, 0.0), place(0.0, lon)).inverse.distance;
             for exponent in (10..48).chain([100, 300]) {
                 let lat = 7.0 * 10.0_f64.powi(-exponent);

@@ -2,8 +2,9 @@
 
 use terrella::geodesic::{Geodesic, GreatCircle};
 use terrella::{Direction, LatLon};
+use testkit::{Worst, maximum, minimum};
 
-use crate::sample::{awkward, place, worst};
+use crate::sample::{awkward, place};
 use crate::truth::{Row, Scalar, Truth};
 
 fn unit<T: Scalar>() -> GreatCircle<T> {
@@ -20,7 +21,7 @@ const PLACES: [&str; 4] = ["lat1", "lon1", "lat2", "lon2"];
 
 /// The largest relative error of a column.
 fn relative(rows: &[Row<'_>], column: &str, computed: impl Fn(Row<'_>) -> f64) -> f64 {
-    worst(rows.iter().map(|&row| {
+    Worst::of(rows.iter().map(|&row| {
         let truth = row.value(column);
         let error = row.error(column, computed(row));
         if truth == 0.0 { error } else { error / truth }
@@ -58,7 +59,7 @@ fn vectors<T: Scalar>() -> f64 {
 /// The largest error of an azimuth in radians, times the sine of the distance.
 fn azimuths<T: Scalar>() -> f64 {
     let truth = Truth::read("greatcircle_deg");
-    worst(truth.exact_in::<T>(&PLACES).into_iter().map(|row| {
+    Worst::of(truth.exact_in::<T>(&PLACES).into_iter().map(|row| {
         let (from, to) = places::<T>(row);
         let line = unit().inverse(from, to).unwrap();
         let sine = row.value("dist").sin();
@@ -66,10 +67,10 @@ fn azimuths<T: Scalar>() -> f64 {
             "nan" => 0.0,
             _ => {
                 let error = row.error(column, azimuth);
-                error.min((360.0 - error).abs()).to_radians() * sine
+                minimum(error, (360.0 - error).abs()).to_radians() * sine
             }
         };
-        of("azi1", line.azimuth1).max(of("azi2", line.azimuth2))
+        maximum(of("azi1", line.azimuth1), of("azi2", line.azimuth2))
     }))
 }
 
@@ -90,7 +91,7 @@ fn distances_are_as_accurate_as_claimed() {
             .iter()
             .all(|&[double, single]| double <= 4e-16 && single <= 1.5e-7)
     );
-    let largest = |i: usize| worst.iter().map(|pair| pair[i]).fold(0.0, f64::max);
+    let largest = |i: usize| Worst::of(worst.iter().map(|pair| pair[i]));
     crate::table::hold("GreatCircle distance, relative", [largest(0), largest(1)]);
 }
 
@@ -105,7 +106,7 @@ fn azimuths_are_as_accurate_as_claimed() {
 #[test]
 fn single_precision_keeps_its_claim() {
     const EARTH: f32 = 6_371_000.0;
-    let (mut relative, mut over) = (0.0f64, 0.0f64);
+    let (mut relative, mut over) = (Worst::default(), Worst::default());
     let mut rng = fastrand::Rng::with_seed(5);
     let double = GreatCircle::new(1.0).unwrap();
     let (single, earth) = (unit::<f32>(), GreatCircle::new(EARTH).unwrap());
@@ -115,11 +116,12 @@ fn single_precision_keeps_its_claim() {
         let [lat1, lon1, lat2, lon2] = [lat1, lon1, lat2, lon2].map(f64::from);
         let truth = double.inverse(place(lat1, lon1), place(lat2, lon2)).unwrap().distance;
         let error = (f64::from(single.inverse(from, to).unwrap().distance) - truth).abs();
-        relative = relative.max(if error == 0.0 { 0.0 } else { error / truth });
+        relative.add(if error == 0.0 { 0.0 } else { error / truth });
         let truth = truth * f64::from(EARTH);
         let error = (f64::from(earth.inverse(from, to).unwrap().distance) - truth).abs();
-        over = over.max(error - 1.5e-7 * truth);
+        over.add(error - 1.5e-7 * truth);
     }
+    let (relative, over) = (relative.value(), over.value());
     println!("{relative:.2e}, {over:.2} m");
     assert!(relative <= 3.0e-7 && over <= 1.0);
 }
@@ -130,7 +132,7 @@ fn points_and_tracks() {
     let mut rng = fastrand::Rng::with_seed(6);
     let sphere = unit::<f64>();
     let apart = |a, b| sphere.inverse(a, b).unwrap().distance;
-    let mut errors = [0.0f64; 4];
+    let mut errors = [Worst::default(); 4];
     for _ in 0..200_000 {
         let [lat1, lon1, lat2, lon2] = awkward(&mut rng);
         let (start, end) = (place(lat1, lon1), place(lat2, lon2));
@@ -153,18 +155,18 @@ fn points_and_tracks() {
         let across = (sphere.cross_track(beside, start, end) - cross).abs();
         let ahead = (sphere.along_track(beside, start, end) - along).abs() * cross.cos();
         for (worst, error) in errors.iter_mut().zip([halves, parts, across, ahead]) {
-            *worst = if error <= *worst { *worst } else { error };
+            worst.add(error);
         }
     }
     println!("{errors:?}");
-    assert!(errors.into_iter().all(|error| error <= 4e-15));
+    assert!(errors.into_iter().all(|error| error.value() <= 4e-15));
 }
 
 /// The largest errors in radians of the place a line ends at, and of the azimuth there times the cosine of its latitude.
 fn ends<T: Scalar>() -> [f64; 2] {
     let truth = Truth::read("geod_direct_moon");
     let moon = GreatCircle::new(T::of(1_737_400.0)).unwrap();
-    let mut worst = [0.0f64; 2];
+    let mut worst = [Worst::default(); 2];
     for row in truth.exact_in::<T>(&["lat1", "lon1", "azi1", "s12"]) {
         if row.value("a12").abs() > 180.0 {
             continue;
@@ -174,15 +176,15 @@ fn ends<T: Scalar>() -> [f64; 2] {
         let cos = row.value("lat2").to_radians().cos();
         let turn = |column, angle: T| {
             let error = row.error(column, angle);
-            error.min((360.0 - error).abs()).to_radians() * cos
+            minimum(error, (360.0 - error).abs()).to_radians() * cos
         };
         let place = row.error("lat2", end.position.lat()).to_radians();
         let place = place.hypot(turn("lon2", end.position.lon()));
         for (worst, error) in worst.iter_mut().zip([place, turn("azi2", end.azimuth)]) {
-            *worst = if error <= *worst { *worst } else { error };
+            worst.add(error);
         }
     }
-    worst
+    worst.map(Worst::value)
 }
 
 #[test]

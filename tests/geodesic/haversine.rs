@@ -1,6 +1,7 @@
 //! The haversine formula, and where it is weak.
 
 use terrella::geodesic::{Geodesic, GreatCircle, Haversine};
+use testkit::Worst;
 
 use crate::sample::{place, signed};
 use crate::truth::Scalar;
@@ -10,7 +11,7 @@ use crate::truth::Scalar;
 fn worst<T: Scalar>((low, high): (f64, f64), relative: bool) -> f64 {
     let (sphere, reference) = (Haversine::<T>::new(T::ONE).unwrap(), GreatCircle::new(1.0).unwrap());
     let mut rng = fastrand::Rng::with_seed(8);
-    let mut worst = 0.0;
+    let mut worst = Worst::default();
     for _ in 0..300_000 {
         let (lat, lon) = (signed(&mut rng).asin().to_degrees(), 180.0 * signed(&mut rng));
         let back = reference
@@ -25,10 +26,9 @@ fn worst<T: Scalar>((low, high): (f64, f64), relative: bool) -> f64 {
         let computed = sphere.inverse(place(lat1, lon1), place(lat2, lon2)).unwrap().distance;
         let (from, to) = (place(lat1.into(), lon1.into()), place(lat2.into(), lon2.into()));
         let truth = reference.inverse(from, to).unwrap().distance;
-        let error = (computed.into() - truth).abs() / if relative { truth } else { 1.0 };
-        worst = if error <= worst { worst } else { error };
+        worst.add((computed.into() - truth).abs() / if relative { truth } else { 1.0 });
     }
-    worst
+    worst.value()
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use geographiclib_rs::{Geodesic as Theirs, InverseGeodesic, PolygonArea as TheirPolygon, Winding};
 use terrella::geodesic::{Area, Geodesic, GeodesicError, Karney};
 use terrella::{Ellipsoid, LatLon, Real};
+use testkit::{Worst, maximum, minimum};
 
 use crate::table::hold;
 use crate::truth::{Row, Scalar, Truth};
@@ -26,23 +27,23 @@ fn place<T: Scalar>(row: Row, lat: &str, lon: &str) -> LatLon<T> {
 /// |computed − truth| of an angle in degrees, in radians.
 fn turn<T: Scalar>(row: Row, column: &str, computed: T) -> f64 {
     let error = row.error(column, computed);
-    error.min((360.0 - error).abs()).to_radians()
+    minimum(error, (360.0 - error).abs()).to_radians()
 }
 
 /// In `f32` an error may grow by 1.5e-7 of the distance before it counts.
 fn beyond_rounding<T: Scalar>(error: f64, distance: f64) -> f64 {
     let allowed = if T::NAME == "f32" { 1.5e-7 * distance.abs() } else { 0.0 };
-    (error - allowed).max(0.0)
+    maximum(error - allowed, 0.0)
 }
 
 #[derive(Default)]
 struct Inverse {
-    distance: f64,
+    distance: Worst,
     /// Azimuth times the smaller of |m₁₂| and s₁₂.
-    azimuth: f64,
-    reduced_length: f64,
-    area: f64,
-    area_of_short: f64,
+    azimuth: Worst,
+    reduced_length: Worst,
+    area: Worst,
+    area_of_short: Worst,
 }
 
 fn inverse<T: Scalar>(name: &str) -> Inverse {
@@ -56,26 +57,26 @@ fn inverse<T: Scalar>(name: &str) -> Inverse {
         let found = karney.solve(from, to);
         for way in [found.inverse, karney.inverse(from, to).unwrap()] {
             let error = beyond_rounding::<T>(row.error("s12", way.distance), s12);
-            worst.distance = worst.distance.max(error);
+            worst.distance.add(error);
 
-            let off = |one: T, other: T| turn(row, "azi1", one).max(turn(row, "azi2", other)) * m12.min(s12);
+            let off = |one: T, other: T| maximum(turn(row, "azi1", one), turn(row, "azi2", other)) * minimum(m12, s12);
             let (azimuth1, azimuth2) = (way.azimuth1, way.azimuth2);
             let error = match row.text("multi") {
-                "two_swap" => off(azimuth1, azimuth2).min(off(azimuth2, azimuth1)),
-                "two_ew" => off(azimuth1, azimuth2).min(off(-azimuth1, -azimuth2)),
+                "two_swap" => minimum(off(azimuth1, azimuth2), off(azimuth2, azimuth1)),
+                "two_ew" => minimum(off(azimuth1, azimuth2), off(-azimuth1, -azimuth2)),
                 "infinite" | "coincident" => 0.0,
                 _ => off(azimuth1, azimuth2),
             };
-            worst.azimuth = worst.azimuth.max(error);
+            worst.azimuth.add(error);
         }
 
         // Near conjugate points m₁₂ and S₁₂ are as ill-conditioned as the azimuths.
         if row.text("multi") == "unique" && (s12 < 1e6 || m12 > 0.1 * s12) {
-            worst.reduced_length = worst.reduced_length.max(row.error("m12", found.reduced_length));
+            worst.reduced_length.add(row.error("m12", found.reduced_length));
             let error = row.error("S12", area.under(from, to));
-            worst.area = worst.area.max(error);
+            worst.area.add(error);
             if s12 < 1e6 {
-                worst.area_of_short = worst.area_of_short.max(error);
+                worst.area_of_short.add(error);
             }
         }
     }
@@ -87,7 +88,7 @@ fn direct<T: Scalar>(name: &str) -> [f64; 2] {
     let truth = Truth::read(&format!("geod_direct_{name}"));
     let e = ellipsoid::<f64>(name);
     let karney = Karney::<T>::new(ellipsoid(name)).unwrap();
-    let mut worst = [0.0_f64; 2];
+    let mut worst = [Worst::default(); 2];
     for row in truth.exact_in::<T>(&["lat1", "lon1", "azi1", "s12"]) {
         let s12 = row.value("s12");
         let from = place(row, "lat1", "lon1");
@@ -111,10 +112,10 @@ fn direct<T: Scalar>(name: &str) -> [f64; 2] {
             };
             let error = beyond_rounding::<T>(north.hypot(east), s12);
             let around = usize::from(s12.abs() > 1.01 * std::f64::consts::TAU * e.a());
-            worst[around] = worst[around].max(error);
+            worst[around].add(error);
         }
     }
-    worst
+    worst.map(Worst::value)
 }
 
 /// The largest displacement in `f32` past 1.5e-7 of the distance, of lines up to ten times around, against `f64`: no truth row
@@ -125,7 +126,7 @@ fn circuits_in_single(name: &str) -> f64 {
         Karney::<f64>::new(ellipsoid(name)).unwrap(),
     );
     let mut rng = fastrand::Rng::with_seed(10);
-    let mut worst = 0.0_f64;
+    let mut worst = Worst::default();
     for _ in 0..20_000 {
         let [lat, lon, azimuth, distance] = [80.0, 180.0, 180.0, 4e8].map(|range: f32| range * (2.0 * rng.f32() - 1.0));
         let found = single
@@ -139,9 +140,9 @@ fn circuits_in_single(name: &str) -> f64 {
             .position;
         let found = LatLon::new(f64::from(found.lat()), f64::from(found.lon())).unwrap();
         let error = double.solve(expected, found).inverse.distance;
-        worst = worst.max(beyond_rounding::<f32>(error, distance));
+        worst.add(beyond_rounding::<f32>(error, distance));
     }
-    worst
+    worst.value()
 }
 
 #[test]
@@ -155,34 +156,46 @@ fn karney_is_as_accurate_as_claimed() {
         )
     };
     let (earth, earth32, direct_earth, direct_earth32) = both("wgs84");
-    hold("Karney inverse, distance", [earth.distance, earth32.distance]);
-    hold("Karney inverse, azimuth times length", [earth.azimuth, earth32.azimuth]);
+    hold(
+        "Karney inverse, distance",
+        [earth.distance.value(), earth32.distance.value()],
+    );
+    hold(
+        "Karney inverse, azimuth times length",
+        [earth.azimuth.value(), earth32.azimuth.value()],
+    );
     hold(
         "Karney inverse, reduced length",
-        [earth.reduced_length, earth32.reduced_length],
+        [earth.reduced_length.value(), earth32.reduced_length.value()],
     );
     hold("Karney direct, position", [direct_earth[0], direct_earth32[0]]);
     hold(
         "Karney direct, position after several circuits",
         [direct_earth[1], circuits_in_single("wgs84")],
     );
-    hold("Karney area under a line", [earth.area, earth32.area]);
+    hold("Karney area under a line", [earth.area.value(), earth32.area.value()]);
     hold(
         "Karney area under a line of less than 1000 km",
-        [earth.area_of_short, earth32.area_of_short],
+        [earth.area_of_short.value(), earth32.area_of_short.value()],
     );
     for name in ["mars", "moon"] {
         let (inverse, inverse32, direct, direct32) = both(name);
         hold(
             "Karney on Mars and the Moon",
-            [inverse.distance.max(direct[0]), inverse32.distance.max(direct32[0])],
+            [
+                maximum(inverse.distance.value(), direct[0]),
+                maximum(inverse32.distance.value(), direct32[0]),
+            ],
         );
     }
     for name in ["oblate10", "prolate150"] {
         let (inverse, inverse32, direct, direct32) = both(name);
         hold(
             "Karney for f = 1/10 and −1/150",
-            [inverse.distance.max(direct[0]), inverse32.distance.max(direct32[0])],
+            [
+                maximum(inverse.distance.value(), direct[0]),
+                maximum(inverse32.distance.value(), direct32[0]),
+            ],
         );
         hold(
             "Karney for f = 1/10 and −1/150, several circuits",
@@ -260,7 +273,7 @@ fn short_lines_keep_their_digits() {
     );
     let mut rng = fastrand::Rng::with_seed(9);
     let signed = |rng: &mut fastrand::Rng| 2.0 * rng.f32() - 1.0;
-    let mut worst = 0.0_f64;
+    let mut worst = Worst::default();
     for i in 0..100_000 {
         let (lat, lon) = (85.0 * signed(&mut rng), 170.0 * signed(&mut rng));
         let size = 10f32.powf(-5.0 * rng.f32());
@@ -275,7 +288,7 @@ fn short_lines_keep_their_digits() {
         let ((from, from64), (to, to64)) = (both(lat, lon), both(lat2, lon2));
         let expected = double.solve(from64, to64).inverse.distance;
         for way in [single.solve(from, to).inverse, single.inverse(from, to).unwrap()] {
-            worst = worst.max((f64::from(way.distance) - expected).abs() / expected.max(1.0));
+            worst.add((f64::from(way.distance) - expected).abs() / maximum(expected, 1.0));
         }
     }
     let truth = Truth::read("geod_inverse_wgs84");
@@ -287,11 +300,11 @@ fn short_lines_keep_their_digits() {
         let (from, to) = (place(row, "lat1", "lon1"), place(row, "lat2", "lon2"));
         let ways = [double.solve(from, to).inverse, double.inverse(from, to).unwrap()];
         let [one, other] = ways.map(|way| row.error("s12", way.distance));
-        one.max(other) / row.value("s12").max(1.0)
+        maximum(one, other) / maximum(row.value("s12"), 1.0)
     });
     hold(
         "Karney inverse to 150 km, relative to 1 m or more",
-        [errors.fold(0.0, f64::max), worst],
+        [Worst::of(errors), worst.value()],
     );
 }
 

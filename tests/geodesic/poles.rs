@@ -2,10 +2,11 @@
 
 use terrella::Ellipsoid;
 use terrella::geodesic::{Area, Geodesic, Karney};
+use testkit::{Worst, maximum};
 
 use crate::along::turned;
 use crate::methods::methods;
-use crate::sample::{place, worst};
+use crate::sample::place;
 use crate::truth::Scalar;
 
 /// A pole is one place, by whatever longitudes it is named.
@@ -49,7 +50,7 @@ fn lines_pass_a_pole_on_their_side() {
 fn next_to_a_pole<T: Scalar>(most: f64) {
     let karney = Karney::new(Ellipsoid::<T>::wgs84()).unwrap();
     let mut rng = fastrand::Rng::with_seed(19);
-    let error = worst((0..20_000).map(|_| {
+    let error = Worst::of((0..20_000).map(|_| {
         // From a place next to a pole, however near, back to it.
         let near = (90.0 - 10.0_f64.powf(rng.f64() * 17.0 - 16.0)).copysign(rng.f64() - 0.5);
         let [lon, azimuth] = [0; 2].map(|_| T::of(rng.f64() * 360.0 - 180.0));
@@ -84,7 +85,10 @@ fn over_a_pole<T: Scalar>() {
                 .unwrap();
             let (lat2, lon2) = (end.position.lat().into(), end.position.lon());
             let north = (lat2 - (90.0_f64 - beyond).copysign(lat)).abs().to_radians();
-            let off = north.max(turned(lon2, 150.0)).max(turned(end.azimuth, 180.0 - azimuth));
+            let off = maximum(
+                maximum(north, turned(lon2, 150.0)),
+                turned(end.azimuth, 180.0 - azimuth),
+            );
             assert!(off < 1e-4, "{name} {lat} {azimuth}: {end:?}");
         }
     }

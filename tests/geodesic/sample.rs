@@ -9,14 +9,6 @@ pub fn place<T: Scalar>(lat: T, lon: T) -> LatLon<T> {
     LatLon::new(lat, lon).unwrap()
 }
 
-/// The largest, and NaN if any is. Not `f64::max`, which would drop it.
-pub fn worst(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.fold(
-        0.0,
-        |worst, error| if error <= worst || worst.is_nan() { worst } else { error },
-    )
-}
-
 /// A number in [−1, 1].
 pub fn signed(rng: &mut fastrand::Rng) -> f64 {
     2.0 * rng.f64() - 1.0
