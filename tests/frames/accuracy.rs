@@ -1,5 +1,7 @@
 //! `to_ecef` and `to_geodetic` against the truth: the largest error of every file, by height.
 
+use testkit::{Worst, maximum, minimum};
+
 use crate::truth::{Row, Scalar, Truth};
 use crate::{ecef, ellipsoid, geodetic, length, table};
 
@@ -7,25 +9,31 @@ const EARTH_AXES: [&str; 3] = ["X", "Y", "Z"];
 
 /// Worst errors of the rows below 100 km, below 10 000 km and higher, in metres.
 #[derive(Clone, Copy, Debug, Default)]
-struct Bands([f64; 3]);
+struct Bands([Worst; 3]);
 
 impl Bands {
     fn add(&mut self, row: Row<'_>, error: f64) {
         let height = row.value("h");
         let band = usize::from(height >= 1e5) + usize::from(height >= 1e7);
-        self.0[band] = self.0[band].max(error);
+        self.0[band].add(error);
     }
 
-    fn hold(self, what: &str, claimed: [f64; 3]) {
-        println!("{what}: {:.2e} {:.2e} {:.2e}", self.0[0], self.0[1], self.0[2]);
-        for (measured, claimed) in self.0.into_iter().zip(claimed) {
+    fn values(self) -> [f64; 3] {
+        self.0.map(Worst::value)
+    }
+
+    /// As many bands as there are claims.
+    fn hold<const N: usize>(self, what: &str, claimed: [f64; N]) {
+        let [low, middle, high] = self.values();
+        println!("{what}: {low:.2e} {middle:.2e} {high:.2e}");
+        for (measured, claimed) in [low, middle, high].into_iter().zip(claimed) {
             assert!(measured <= claimed, "{what}: {measured:e} m, claimed {claimed:e} m");
         }
     }
 }
 
-fn forward<T: Scalar>(name: &str, claimed: [f64; 3], ulps: f64) -> [f64; 3] {
-    let (mut worst, mut worst_ulps) = (Bands::default(), 0.0_f64);
+fn forward<T: Scalar, const N: usize>(name: &str, claimed: [f64; N], ulps: f64) -> [f64; 3] {
+    let (mut worst, mut worst_ulps) = (Bands::default(), Worst::default());
     let truth = Truth::read(&format!("ecef_forward_{name}"));
     for row in truth.exact_in::<T>(&["lat", "lon", "h"]) {
         let position = geodetic::<T>(row.input("lat"), row.input("lon"), row.input("h"));
@@ -34,24 +42,26 @@ fn forward<T: Scalar>(name: &str, claimed: [f64; 3], ulps: f64) -> [f64; 3] {
         worst.add(row, length(&errors));
         let radius = length(&EARTH_AXES.map(|column| row.value(column)));
         let ulp = radius.log2().floor().exp2() * T::EPSILON.into();
-        worst_ulps = errors
-            .into_iter()
-            .fold(worst_ulps, |worst, error| worst.max(error / ulp));
+        worst_ulps.add(Worst::of(errors) / ulp);
     }
+    let worst_ulps = worst_ulps.value();
     println!("{worst_ulps:.2} ulp of the radius");
     assert!(worst_ulps <= ulps, "{name}: {worst_ulps} ulp of the radius");
     worst.hold(&format!("forward {name} {}", T::NAME), claimed);
-    worst.0
+    worst.values()
 }
 
 /// The error of a height; one far smaller than its error is not compared digit by digit.
 fn height_error<T: Scalar>(row: Row<'_>, height: T) -> f64 {
     let plain = (height.into() - row.value("h")).abs();
-    row.error("h", height).min(if row.value("h").abs() < 1e-3 {
-        plain
-    } else {
-        f64::INFINITY
-    })
+    minimum(
+        row.error("h", height),
+        if row.value("h").abs() < 1e-3 {
+            plain
+        } else {
+            f64::INFINITY
+        },
+    )
 }
 
 /// `position`: the distance from the true latitude, longitude and height. `height`: that of the height alone.
@@ -71,7 +81,7 @@ fn reverse<T: Scalar>(name: &str, position: [f64; 3], height: [f64; 3], back: [f
         let lon = row.error("lon", computed.lon());
         let errors = [
             row.error("lat", computed.lat()).to_radians() * (along + row.value("h")),
-            lon.min((lon - 360.0).abs()).to_radians() * (across + row.value("h")) * lat.cos(),
+            minimum(lon, (lon - 360.0).abs()).to_radians() * (across + row.value("h")) * lat.cos(),
             height_error(row, computed.height()),
         ];
         let there = e.to_ecef(computed).to_array();
@@ -83,26 +93,28 @@ fn reverse<T: Scalar>(name: &str, position: [f64; 3], height: [f64; 3], back: [f
     worst_position.hold(&format!("reverse {name} {}", T::NAME), position);
     worst_height.hold("  height", height);
     worst_back.hold("  there and back", back);
-    worst_position.0
+    worst_position.values()
 }
 
 /// Holds the rows of the table, near and far, with the Earth's errors in both scalars.
 fn hold(what: &str, double: [f64; 3], single: [f64; 3]) {
-    let far = |bands: [f64; 3]| bands[1].max(bands[2]);
+    let far = |bands: [f64; 3]| maximum(bands[1], bands[2]);
     table::hold(&format!("{what} to 50 000 km"), [far(double), far(single)]);
 }
 
 #[test]
 fn to_ecef_is_as_accurate_as_claimed() {
-    let double = forward::<f64>("wgs84", [1.5e-9, 2.5e-9, 9e-9], 0.7);
-    forward::<f64>("moon", [0.4e-9, 0.6e-9, 5e-9], 0.7);
-    forward::<f64>("oblate10", [1.5e-9, 2e-9, 9e-9], 0.7);
-    forward::<f64>("prolate150", [1.5e-9, 2e-9, 9e-9], 0.7);
-    let single = forward::<f32>("wgs84", [0.5, 0.8, 3.0], 0.7);
+    let double = forward::<f64, _>("wgs84", [1.5e-9, 2.5e-9, 9e-9], 0.7);
+    forward::<f64, _>("moon", [0.4e-9, 0.6e-9, 5e-9], 0.7);
+    forward::<f64, _>("oblate10", [1.5e-9, 2e-9, 9e-9], 0.7);
+    forward::<f64, _>("prolate150", [1.5e-9, 2e-9, 9e-9], 0.7);
+    let single = forward::<f32, _>("wgs84", [0.5, 0.8, 3.0], 0.7);
     table::hold("Ellipsoid::to_ecef below 100 km", [double[0], single[0]]);
     hold("Ellipsoid::to_ecef", double, single);
-    for name in ["moon", "oblate10", "prolate150"] {
-        forward::<f32>(name, [0.5, 0.9, 3.0], 0.7);
+    // No row so high on the Moon is exact in f32.
+    forward::<f32, _>("moon", [0.5, 0.9], 0.7);
+    for name in ["oblate10", "prolate150"] {
+        forward::<f32, _>(name, [0.5, 0.9, 3.0], 0.7);
     }
 }
 
@@ -148,7 +160,7 @@ fn heights_near_the_surface_keep_their_digits() {
             let [x, y, z] = EARTH_AXES.map(|column| row.input::<T>(column));
             height_error(row, ellipsoid::<T>("wgs84").to_geodetic(ecef(x, y, z)).height())
         });
-        errors.fold(0.0, f64::max)
+        Worst::of(errors)
     }
     let errors = [worst::<f64>(), worst::<f32>()];
     println!("{errors:?}");

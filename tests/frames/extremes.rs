@@ -1,6 +1,7 @@
 //! The geocentre, the axis, the plane of the equator, zeros of both signs, the smallest and the largest numbers.
 
 use terrella::{Ecef, Ellipsoid, Geodetic, InvalidEcef, InvalidHeight, LatLon};
+use testkit::maximum;
 
 use crate::truth::Scalar;
 use crate::{ELLIPSOIDS, distance, ecef, ellipsoid, geodetic};
@@ -14,7 +15,7 @@ fn near<T: Scalar>(computed: [f64; 3], [lat, lon, height]: [f64; 3]) {
     let eps = T::EPSILON.into();
     let good = (computed[0] - lat).abs() <= 90.0 * eps && (computed[1] - lon).abs() <= 180.0 * eps;
     assert!(
-        good && (computed[2] - height).abs() <= eps * height.abs().max(6.4e6),
+        good && (computed[2] - height).abs() <= eps * maximum(height.abs(), 6.4e6),
         "{computed:?} {lat} {lon} {height}"
     );
 }

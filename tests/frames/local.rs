@@ -1,6 +1,7 @@
 //! East, north, up; north, east, down; azimuth, elevation, range.
 
 use terrella::{Aer, Ellipsoid, Enu, LocalFrame, Ned};
+use testkit::{Worst, minimum};
 
 use crate::truth::{Row, Scalar, Truth, ulps_between};
 use crate::{distance, geodetic, length};
@@ -22,7 +23,7 @@ fn error<T: Scalar>(row: Row<'_>, enu: Enu<T>) -> f64 {
 /// The largest error of `geodetic_to_enu`, relative to the distance and in metres within 10 km; of `to_enu` in metres.
 fn worst<T: Scalar>() -> [f64; 3] {
     let truth = Truth::read("enu_wgs84");
-    let mut worst = [0.0_f64; 3];
+    let mut worst = [Worst::default(); 3];
     for row in truth.exact_in::<T>(&POSITIONS) {
         let [lat1, lon1, h1, lat2, lon2, h2] = POSITIONS.map(|column| row.input::<T>(column));
         let frame = LocalFrame::new(Ellipsoid::wgs84(), geodetic(lat1, lon1, h1));
@@ -30,18 +31,18 @@ fn worst<T: Scalar>() -> [f64; 3] {
         let direct = error(row, frame.geodetic_to_enu(target));
         let range = row.value("range");
         if range > 0.0 {
-            worst[0] = worst[0].max(direct / range);
+            worst[0].add(direct / range);
         } else {
             assert_eq!(direct, 0.0);
         }
         if range < 1e4 {
-            worst[1] = worst[1].max(direct);
+            worst[1].add(direct);
         }
         let through_earth_axes = error(row, frame.to_enu(Ellipsoid::wgs84().to_ecef(target)));
-        worst[2] = worst[2].max(through_earth_axes);
+        worst[2].add(through_earth_axes);
     }
     println!("{} {worst:?}", T::NAME);
-    worst
+    worst.map(Worst::value)
 }
 
 #[test]
@@ -57,18 +58,18 @@ fn frames_are_as_accurate_as_claimed() {
 /// The largest error of an azimuth and elevation, as an angle on the sky in degrees, and of a range, in ulp.
 fn pointing<T: Scalar>() -> [f64; 2] {
     let truth = Truth::read("enu_wgs84");
-    let mut worst = [0.0_f64; 2];
+    let mut worst = [Worst::default(); 2];
     for row in truth.exact_in::<T>(&POSITIONS) {
         let [lat1, lon1, h1, lat2, lon2, h2] = POSITIONS.map(|column| row.input::<T>(column));
         let frame = LocalFrame::new(Ellipsoid::wgs84(), geodetic(lat1, lon1, h1));
         let aer = frame.geodetic_to_aer(geodetic(lat2, lon2, h2));
         let turn = row.error("azimuth", aer.azimuth);
-        let turn = turn.min((turn - 360.0).abs()) * row.value("elevation").to_radians().cos();
-        worst[0] = worst[0].max(length(&[turn, row.error("elevation", aer.elevation)]));
-        worst[1] = worst[1].max(row.ulps("range", aer.range));
+        let turn = minimum(turn, (turn - 360.0).abs()) * row.value("elevation").to_radians().cos();
+        worst[0].add(length(&[turn, row.error("elevation", aer.elevation)]));
+        worst[1].add(row.ulps("range", aer.range));
     }
     println!("{} {worst:?}", T::NAME);
-    worst
+    worst.map(Worst::value)
 }
 
 #[test]
@@ -163,7 +164,7 @@ fn positions_and_vectors_come_back() {
 #[test]
 fn single_precision_is_within_the_claimed_places() {
     let mut random = fastrand::Rng::with_seed(9);
-    let mut worst = [0.0_f64; 4];
+    let mut worst = [Worst::default(); 4];
     for _ in 0..100_000 {
         let mut part = || (10_f64.powf(random.f64() * 6.0) * (2.0 * random.f64() - 1.0)) as f32;
         let (east, north, up) = (part(), part(), part());
@@ -179,15 +180,16 @@ fn single_precision_is_within_the_claimed_places() {
             (single.range, double.range),
         ];
         for (worst, (single, double)) in worst.iter_mut().zip(pairs) {
-            *worst = worst.max(ulps_between(single, double));
+            worst.add(ulps_between(single, double));
         }
         let (lat, lon) = (180.0 * random.f32() - 90.0, 360.0 * random.f32() - 180.0);
         let single = LocalFrame::new(Ellipsoid::wgs84(), geodetic(lat, lon, 0.0)).vector_to_enu([east, north, up]);
         let frame = LocalFrame::new(Ellipsoid::wgs84(), geodetic(f64::from(lat), f64::from(lon), 0.0));
         let double = frame.vector_to_enu([east, north, up].map(f64::from));
         let (one, two) = (components(single), components(double));
-        worst[3] = worst[3].max(length(&[0, 1, 2].map(|i| one[i] - two[i])) / length(&two));
+        worst[3].add(length(&[0, 1, 2].map(|i| one[i] - two[i])) / length(&two));
     }
+    let worst = worst.map(Worst::value);
     println!("{worst:?}");
     assert!(
         worst[0] <= 1.0 && worst[1] <= 2.0 && worst[2] <= 1.5 && worst[3] <= 2.5e-7,

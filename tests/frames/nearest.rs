@@ -1,6 +1,7 @@
 //! The point found is the nearest: no other of the ellipsoid is nearer, wherever one starts.
 
 use terrella::{Ellipsoid, Geodetic};
+use testkit::maximum;
 
 use crate::search::searched;
 use crate::truth::Scalar;
@@ -9,9 +10,9 @@ use crate::{ecef, length};
 fn check<T: Scalar>(flattening: f64, tolerance: f64) {
     let e = Ellipsoid::<T>::new(T::of(6.4e6), T::of(flattening)).unwrap();
     let (a, b): (f64, f64) = (e.a().into(), e.b().into());
-    let reach = a * e.e2().into().abs().max(1e-4);
+    let reach = a * maximum(e.e2().into().abs(), 1e-4);
     // The largest radius of curvature.
-    let curved = (a * a / b).max(b * b / a);
+    let curved = maximum(a * a / b, b * b / a);
     let mut random = fastrand::Rng::with_seed(7);
     for _ in 0..4000 {
         // About the evolute, between it and the surface, outside.
@@ -23,7 +24,7 @@ fn check<T: Scalar>(flattening: f64, tolerance: f64) {
         let found = e.to_geodetic(p);
         let height: f64 = found.height().into();
         let nearest = searched(a, b, rho, z);
-        let tolerance = tolerance * nearest.max(curved) / a;
+        let tolerance = tolerance * maximum(nearest, curved) / a;
         assert!(
             (height.abs() - nearest).abs() <= tolerance,
             "f = {flattening}: {p:?}: {height} {nearest}"
