@@ -3,6 +3,7 @@
 use terrella::cube::{CubeProjection, Face, Projection};
 use terrella::distortion::Jacobian;
 use terrella::{Dual, Ellipsoid, Real, Shift};
+use testkit::Worst;
 
 use crate::sphere::{at, on, places, unit_sphere};
 use crate::table::hold;
@@ -10,7 +11,7 @@ use crate::truth::{Scalar, Truth};
 
 /// The largest errors of a slope, along the ground and in units of the longest, and of an area, relative.
 fn errors<T: Scalar>(truth: &Truth) -> [f64; 2] {
-    let mut worst = [0.0_f64; 2];
+    let mut worst = [Worst::default(); 2];
     for row in truth.exact_in::<T>(&["x", "y"]) {
         let projection: Projection = row.text("projection").parse().unwrap();
         let face = Face::from_index(row.text("face").parse().unwrap()).unwrap();
@@ -19,20 +20,20 @@ fn errors<T: Scalar>(truth: &Truth) -> [f64; 2] {
         let direction = local.map(|component| component.value().into());
         let columns = [["rx", "ux", "ox"], ["ry", "uy", "oy"]];
         let longest = columns.map(|vector| length(vector.map(|column| row.value(column))));
-        let longest = longest.into_iter().fold(0.0, f64::max);
+        let longest = Worst::of(longest);
         let slopes = local.map(Dual::slopes);
         for (variable, vector) in columns.into_iter().enumerate() {
             let error = std::array::from_fn(|i| row.deviation(vector[i], slopes[i][variable]));
             // What is along the direction is no slope of the ground.
             let upward: f64 = dot(error, direction);
             let along = std::array::from_fn(|i| error[i] - upward * direction[i]);
-            worst[0] = worst[0].max(length(along) / longest);
+            worst[0].add(length(along) / longest);
         }
         let ground = unit_sphere::<T, _>(projection);
         let area = ground.jacobian(at(face, point[0], point[1])).unwrap().area();
-        worst[1] = worst[1].max(row.error("area", area) / row.value("area"));
+        worst[1].add(row.error("area", area) / row.value("area"));
     }
-    worst
+    worst.map(Worst::value)
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -57,7 +58,7 @@ fn slopes_and_areas_are_those_of_the_truth() {
 #[test]
 fn forward_and_inverse_slopes_are_each_others_inverse() {
     for &projection in Projection::ALL.iter().filter(|p| **p != Projection::Cobe) {
-        let mut worst = 0.0_f64;
+        let mut worst = Worst::default();
         for point in places(3000, 1) {
             let face = point.face();
             let local = projection.inverse(face, Dual::variables([point.x(), point.y()]));
@@ -65,10 +66,10 @@ fn forward_and_inverse_slopes_are_each_others_inverse() {
             // Next to a corner of the conformal and the vertex cube, a rounding of the vector is a step on the map.
             let corner = (1.0 - point.x().abs()).hypot(1.0 - point.y().abs());
             if corner > 0.05 && point.x().hypot(point.y()) > 0.05 {
-                let error = [x[0] - 1.0, x[1], y[0], y[1] - 1.0].map(f64::abs);
-                worst = error.into_iter().fold(worst, f64::max);
+                worst.add(Worst::of([x[0] - 1.0, x[1], y[0], y[1] - 1.0].map(f64::abs)));
             }
         }
+        let worst = worst.value();
         println!("{projection}: {worst:.1e}");
         assert!(worst < 1e-12, "{projection}: {worst:e}");
     }
@@ -78,7 +79,7 @@ fn largest_difference(a: &Jacobian<f64>, b: &Jacobian<f64>) -> f64 {
     let entries = |j: &Jacobian<f64>| [j.by_x[0], j.by_x[1], j.by_y[0], j.by_y[1]];
     let size = a.extremes()[1];
     let pairs = entries(a).into_iter().zip(entries(b));
-    pairs.map(|(p, q)| (p - q).abs() / size).fold(0.0, f64::max)
+    Worst::of(pairs.map(|(p, q)| (p - q).abs() / size))
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use terrella::math::{atan, atan2, atan2_degrees, cbrt, exp_m1, log2, sin_cos, sin_cos_degrees, tan};
 use terrella::{Dual, Real};
+use testkit::maximum;
 
 fn slope(f: impl Fn(Dual<f64, 1>) -> Dual<f64, 1>, x: f64) -> f64 {
     let [x] = Dual::variables([x]);
@@ -10,7 +11,10 @@ fn slope(f: impl Fn(Dual<f64, 1>) -> Dual<f64, 1>, x: f64) -> f64 {
 }
 
 fn near(a: f64, b: f64, what: &str) {
-    assert!((a - b).abs() <= 4e-15 * b.abs().max(1.0), "{what}: {a:e} is not {b:e}");
+    assert!(
+        (a - b).abs() <= 4e-15 * maximum(b.abs(), 1.0),
+        "{what}: {a:e} is not {b:e}"
+    );
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use terrella::cube::Projection;
 use terrella::{Ellipsoid, Shift};
+use testkit::{maximum, minimum};
 
 use crate::sphere::{on, places, unit_sphere};
 
@@ -13,7 +14,7 @@ fn areal(ellipsoid: Ellipsoid<f64>, shift: Shift, projection: Projection) -> [f6
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     for point in places(60_000, 5) {
         let error = ground.tissot(point).unwrap().areal - 1.0;
-        range = [range[0].min(error), range[1].max(error)];
+        range = [minimum(range[0], error), maximum(range[1], error)];
     }
     range
 }

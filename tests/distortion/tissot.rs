@@ -3,12 +3,13 @@
 use terrella::cube::{Projection, Tangential};
 use terrella::distortion::Tissot;
 use terrella::{Ellipsoid, Shift};
+use testkit::maximum;
 
 use crate::sphere::{at, on, places, unit_sphere};
 
 fn near(a: f64, b: f64, tolerance: f64, what: &str) {
     assert!(
-        (a - b).abs() <= tolerance * b.abs().max(1.0),
+        (a - b).abs() <= tolerance * maximum(b.abs(), 1.0),
         "{what}: {a:e} is not {b:e}"
     );
 }
@@ -19,7 +20,7 @@ fn its_parts_agree() {
         let ground = on(Ellipsoid::<f64>::wgs84(), Shift::Authalic, projection);
         for point in places(2000, 3) {
             let t = ground.tissot(point).unwrap();
-            let large = t.major.max(1.0).powi(2);
+            let large = maximum(t.major, 1.0).powi(2);
             near(t.major * t.minor, t.areal, 1e-13 * large, "ab = s");
             near(
                 t.meridian.powi(2) + t.parallel.powi(2),
