@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection};
 use terrella::terrain::{Enclosure, Heights, InvalidHeights, OrientedBox, Tile};
 use terrella::{Ellipsoid, Geodetic, Shift};
+use testkit::{maximum, minimum};
 
 use crate::sample::{self, Scalar};
 
@@ -44,7 +45,7 @@ fn used<T: Scalar>(
             for height in heights {
                 let point = ground(map, node, height);
                 for (most, used) in most.iter_mut().zip(inside(bounds, point)) {
-                    *most = most.max(used.abs());
+                    *most = maximum(*most, used.abs());
                 }
                 let apart: [f64; 3] = std::array::from_fn(|k| point[k] - centre[k]);
                 assert!(dot(apart, apart).sqrt() <= radius, "{tile:?} {heights:?}");
@@ -107,8 +108,13 @@ fn tiles_are_in_their_boxes() {
             let tile = sample::tile(&mut rng);
             let height = |rng: &mut Rng| radius * 10_f64.powf(-8.0 * rng.f64()) * (2.0 * rng.f64() - 0.8);
             let (a, b) = (height(&mut rng), height(&mut rng));
-            contains::<f64>(map, tile, a.min(b), a.max(b));
-            contains::<f32>(map, tile, f64::from(a.min(b) as f32), f64::from(a.max(b) as f32));
+            contains::<f64>(map, tile, minimum(a, b), maximum(a, b));
+            contains::<f32>(
+                map,
+                tile,
+                f64::from(minimum(a, b) as f32),
+                f64::from(maximum(a, b) as f32),
+            );
         }
     });
 }
@@ -124,7 +130,7 @@ fn waste(projection: Projection, shift: Shift, level: u8) -> [f64; 3] {
         let bounds = enclosure.of(tile, Heights::default());
         let used = used(&map, &bounds, tile, [0.0; 2], 8);
         for (worst, used) in worst.iter_mut().zip(used) {
-            *worst = worst.max(1.0 / used);
+            *worst = maximum(*worst, 1.0 / used);
         }
     }
     worst
@@ -142,7 +148,10 @@ fn boxes_are_not_much_larger_than_their_tiles() {
                     _ => 1.11,
                 };
                 let [across, up, _] = waste(projection, shift, level);
-                assert!(across.max(up) <= most, "{projection} {shift} {level}: {across} {up}");
+                assert!(
+                    maximum(across, up) <= most,
+                    "{projection} {shift} {level}: {across} {up}"
+                );
             }
         }
     }
@@ -194,12 +203,12 @@ fn bend(projection: Projection, tile: Tile) -> f64 {
             let (from, between, to) = (at(0), at(PARTS), at(2 * PARTS));
             let length = (to[0] - from[0]).hypot(to[1] - from[1]);
             let most = (1..PARTS)
-                .map(|way| off(from, between, at(way)).max(off(between, to, at(PARTS + way))))
-                .fold(0.0, f64::max);
+                .map(|way| maximum(off(from, between, at(way)), off(between, to, at(PARTS + way))))
+                .fold(0.0, maximum);
             // Rounding is provided for.
             (most - 0.5 * off(from, to, between) - 8.0 * f64::EPSILON) / (length * width)
         })
-        .fold(0.0, f64::max)
+        .fold(0.0, maximum)
 }
 
 #[test]
@@ -210,7 +219,10 @@ fn every_projection_bends_less_than_the_proof_allows() {
             for level in 0..=5 {
                 let count = 1_u32 << level;
                 for n in 0..count * count {
-                    most = most.max(bend(projection, Tile::new(face, level, n % count, n / count).unwrap()));
+                    most = maximum(
+                        most,
+                        bend(projection, Tile::new(face, level, n % count, n / count).unwrap()),
+                    );
                 }
             }
             let mut rng = Rng::with_seed(3);
@@ -233,7 +245,7 @@ fn every_projection_bends_less_than_the_proof_allows() {
                     1 => count - 1 - i,
                     _ => index(&mut rng),
                 };
-                most = most.max(bend(projection, Tile::new(face, level, i, j).unwrap()));
+                most = maximum(most, bend(projection, Tile::new(face, level, i, j).unwrap()));
             }
         }
         assert!(most <= 0.0045, "{projection}: {most}");

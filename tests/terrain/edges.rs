@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use terrella::cube::{Corner, Edge, Face, Projection};
 use terrella::terrain::{Around, Heights, Patches, Tile};
 use terrella::{Ecef, Ellipsoid, Shift};
+use testkit::maximum;
 
 use crate::patch::{at, dot, fill, length, map, minus};
 
@@ -222,7 +223,7 @@ fn gap(
         for step in 0..=4 * (samples - 1) {
             let own = f64::from(step) / 4.0;
             let way = (own + (part as f64) * f64::from(samples - 1)) / count as f64;
-            widest = widest.max(length(minus(along(&there, own), along(&here, way))));
+            widest = maximum(widest, length(minus(along(&there, own), along(&here, way))));
         }
     }
     [widest, patches.skirt(level, samples, Heights::new(low, high).unwrap())]
@@ -243,7 +244,7 @@ fn gaps_between_levels_are_no_wider_than_said() {
                         gap <= skirt,
                         "{projection} {level} {samples} {heights:?}: {gap} > {skirt}"
                     );
-                    used = used.max(gap / skirt);
+                    used = maximum(used, gap / skirt);
                 }
             }
         }
@@ -275,8 +276,8 @@ fn gaps_to_the_side() {
                 let up = dot(apart, place.to_direction().to_array());
                 let way = minus(coarse[cell + 1], coarse[cell]);
                 let ahead = dot(apart, way) / length(way);
-                let side = (dot(apart, apart) - up * up - ahead * ahead).max(0.0).sqrt();
-                most = [most[0].max(up.abs()), most[1].max(side)];
+                let side = maximum(dot(apart, apart) - up * up - ahead * ahead, 0.0).sqrt();
+                most = [maximum(most[0], up.abs()), maximum(most[1], side)];
             }
             format!("{:.1e} {:.1e}", most[0], most[1])
         });

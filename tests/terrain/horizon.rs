@@ -4,6 +4,7 @@ use fastrand::Rng;
 use terrella::cube::{CubeMap, Projection};
 use terrella::terrain::{Enclosure, Heights, Horizon, Tile};
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
+use testkit::{maximum, minimum};
 
 use crate::sample;
 
@@ -47,11 +48,11 @@ fn pair(rng: &mut Rng, ellipsoid: Ellipsoid<f64>, highest: f64) -> (Ecef<f64>, E
     let eye_height = 10_f64.powf(8.0 * rng.f64());
     let position = direction(rng);
     let height = highest * rng.f64().powi(3);
-    let reach = (2.0 * eye_height / ellipsoid.b()).sqrt().min(1.5) + (2.0 * height / ellipsoid.b()).sqrt();
+    let reach = minimum((2.0 * eye_height / ellipsoid.b()).sqrt(), 1.5) + (2.0 * height / ellipsoid.b()).sqrt();
     let reach = (reach * (0.5 + rng.f64())).to_degrees();
     let (sine, cosine) = (360.0 * rng.f64()).to_radians().sin_cos();
     let lat = (position.lat() + reach * cosine).clamp(-90.0, 90.0);
-    let lon = position.lon() + reach * sine / position.lat().to_radians().cos().max(0.05);
+    let lon = position.lon() + reach * sine / maximum(position.lat().to_radians().cos(), 0.05);
     let point = LatLon::new(lat, lon).unwrap();
     (at(ellipsoid, position, eye_height), at(ellipsoid, point, height))
 }
@@ -100,11 +101,11 @@ fn nothing_is_hidden_by_ground_that_may_not_be_there() {
                     let [x, y, z] = std::array::from_fn(|k| v[k] + s * (t[k] - v[k]));
                     ellipsoid.to_geodetic(Ecef::new(x, y, z).unwrap()).height()
                 })
-                .fold(f64::INFINITY, f64::min);
+                .fold(f64::INFINITY, minimum);
             // Between the samples it may be lower still.
             let step = (0..3).map(|k| (t[k] - v[k]).powi(2)).sum::<f64>() / 40_000.0;
             assert!(
-                least <= lowest + step / (8.0 * ellipsoid.b().min(ellipsoid.a()) * 0.2) + 1e-6,
+                least <= lowest + step / (8.0 * minimum(ellipsoid.b(), ellipsoid.a()) * 0.2) + 1e-6,
                 "{least} {lowest}"
             );
         }
@@ -135,7 +136,12 @@ fn from_inside_nothing_is_hidden() {
             let outside = at(ellipsoid, place, 10.0);
             assert!(Horizon::new(ellipsoid, -11_000.0, outside).hides(at(ellipsoid, opposite, 0.0)));
             // Depths that leave no planet.
-            for lowest in [-ellipsoid.a().min(ellipsoid.b()), -1e9, f64::NEG_INFINITY, f64::NAN] {
+            for lowest in [
+                -minimum(ellipsoid.a(), ellipsoid.b()),
+                -1e9,
+                f64::NEG_INFINITY,
+                f64::NAN,
+            ] {
                 assert!(!Horizon::new(ellipsoid, lowest, outside).hides(at(ellipsoid, opposite, 0.0)));
             }
         }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use fastrand::Rng;
 use terrella::cube::{Corner, CubeProjection, Edge, Face, FacePoint, Projection};
 use terrella::terrain::{Around, InvalidTile, Tile};
+use testkit::{maximum, minimum};
 
 use crate::sample;
 
@@ -147,7 +148,7 @@ fn across_a_corner_there_is_the_same_corner() {
 
 /// Whether all of the segment b is part of the segment a; both along an axis.
 fn within(a: [Vertex; 2], b: [Vertex; 2]) -> bool {
-    let between = |p: Vertex| (0..3).all(|k| (a[0][k].min(a[1][k])..=a[0][k].max(a[1][k])).contains(&p[k]));
+    let between = |p: Vertex| (0..3).all(|k| (minimum(a[0][k], a[1][k])..=maximum(a[0][k], a[1][k])).contains(&p[k]));
     b.into_iter().all(between)
 }
 

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use terrella::cube::{CubeMap, Face, Projection};
 use terrella::terrain::{Heights, InvalidPatch, Patches, Tile};
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
+use testkit::{maximum, minimum};
 
 use crate::sample;
 
@@ -81,11 +82,11 @@ struct Worst {
 impl Worst {
     fn merge(self, other: Self) -> Self {
         Self {
-            near: self.near.max(other.near),
-            far: self.far.max(other.far),
-            naive_near: self.naive_near.max(other.naive_near),
-            naive_far: self.naive_far.max(other.naive_far),
-            rounding: self.rounding.max(other.rounding),
+            near: maximum(self.near, other.near),
+            far: maximum(self.far, other.far),
+            naive_near: maximum(self.naive_near, other.naive_near),
+            naive_far: maximum(self.naive_far, other.naive_far),
+            rounding: maximum(self.rounding, other.rounding),
         }
     }
 }
@@ -98,7 +99,7 @@ fn one(rng: &mut Rng) -> Worst {
     let patches = map(ellipsoid, shift, projection);
     let (place, height, eye) = camera(rng, ellipsoid);
     // A vertex on the ground about as far from the foot of the camera as something between 1 m and the camera's horizon.
-    let reach = (2.0 * ellipsoid.a() * height).sqrt().min(ellipsoid.a());
+    let reach = minimum((2.0 * ellipsoid.a() * height).sqrt(), ellipsoid.a());
     let way = reach.powf(rng.f64()) / ellipsoid.a();
     let around = std::f64::consts::TAU * rng.f64();
     let local = terrella::LocalFrame::new(ellipsoid, Geodetic::new(place, 0.0).unwrap());
@@ -112,7 +113,7 @@ fn one(rng: &mut Rng) -> Worst {
     let vertex_place = ellipsoid.to_geodetic(beside).lat_lon();
     let point = patches.map().project(vertex_place);
     let ground = ellipsoid.to_ecef(Geodetic::new(vertex_place, 0.0).unwrap()).to_array();
-    let room = length(minus(ground, eye.to_array())).max(1000.0);
+    let room = maximum(length(minus(ground, eye.to_array())), 1000.0);
     let side = |level: u8| {
         let corners = patches
             .of(Tile::containing(point, level).unwrap())
@@ -120,7 +121,7 @@ fn one(rng: &mut Rng) -> Worst {
             .map(Ecef::to_array);
         (0..4)
             .map(|k| length(minus(corners[k], corners[(k + 1) % 4])))
-            .fold(0.0, f64::max)
+            .fold(0.0, maximum)
     };
     let level = (0..=20).find(|&level| side(level) <= room).unwrap();
     let tile = Tile::containing(point, level + rng.u8(0..3)).unwrap();
@@ -136,7 +137,7 @@ fn one(rng: &mut Rng) -> Worst {
     let distance = length(expected);
     let error = length(minus(found.map(f64::from), expected));
     let farthest = seen.corners().map(|corner| length(corner.map(f64::from)));
-    let rounding = error / (farthest.into_iter().fold(0.0, f64::max) + f64::from(height.abs()));
+    let rounding = error / (farthest.into_iter().fold(0.0, maximum) + f64::from(height.abs()));
     let naive: [f32; 3] = std::array::from_fn(|k| truth[k] as f32 - eye.to_array()[k] as f32);
     let naive = length(minus(naive.map(f64::from), expected));
     if distance <= 1000.0 {
@@ -238,7 +239,7 @@ fn representatives_say_all() {
                 let samples = rng.u32(2..10);
                 let (representative, symmetry) = tile.representative();
                 let (own, known) = (fill(&patches, tile, samples), fill(&patches, representative, samples));
-                let largest = known[0].iter().flatten().fold(0.0_f32, |a, b| a.max(b.abs()));
+                let largest = known[0].iter().flatten().fold(0.0_f32, |a, b| maximum(a, b.abs()));
                 for (which, (own, known)) in own.iter().zip(&known).enumerate() {
                     let mut carried = columns(samples);
                     symmetry.fill(samples, shared(known), mutable(&mut carried)).unwrap();
@@ -287,7 +288,7 @@ fn bulge(patches: &Patches<Projection>, tile: Tile, parts: u32) -> [f64; 2] {
     for row in 0..samples {
         for m in 0..samples {
             let k = (row * samples + m) as usize;
-            most[0] = most[0].max(length(at(&o, k).map(f64::from)));
+            most[0] = maximum(most[0], length(at(&o, k).map(f64::from)));
             let (s, t) = (f64::from(m) / f64::from(parts), f64::from(row) / f64::from(parts));
             let own = normal(tile.node([m, row], parts));
             let apart = std::array::from_fn(|k| {
@@ -295,7 +296,7 @@ fn bulge(patches: &Patches<Projection>, tile: Tile, parts: u32) -> [f64; 2] {
                 let down = corners[3][k] * s + corners[2][k] * (1.0 - s);
                 own[k] - (up * t + down * (1.0 - t))
             });
-            most[1] = most[1].max(length(apart));
+            most[1] = maximum(most[1], length(apart));
         }
     }
     most
@@ -343,7 +344,7 @@ fn flat_enough(patches: &Patches<Projection>, level: u8, count: u32) -> [f64; 2]
     for tile in suspects(&mut rng, level, count) {
         let found = bulge(patches, tile, 10);
         for k in 0..2 {
-            most[k] = most[k].max(found[k]);
+            most[k] = maximum(most[k], found[k]);
         }
     }
     [bound.displacement / most[0], bound.turning / most[1]]
@@ -358,7 +359,7 @@ fn flatness_is_a_bound_and_a_close_one() {
             let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
             let found = flat_enough(&patches, level, 300);
             for k in 0..2 {
-                ratios[k] = [ratios[k][0].min(found[k]), ratios[k][1].max(found[k])];
+                ratios[k] = [minimum(ratios[k][0], found[k]), maximum(ratios[k][1], found[k])];
             }
             assert!(found[0] >= 1.0 && found[1] >= 1.0, "{projection} {level} {found:?}");
             assert!(found[0] <= 2.0, "{projection} {level} {found:?}");

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use terrella::cube::{CubeMap, CubeProjection, Face, Projection};
 use terrella::terrain::{Patches, Split, Tile};
 use terrella::{Ecef, Ellipsoid, Real, Shift};
+use testkit::maximum;
 
 use crate::patch::{length, map, minus};
 
@@ -47,7 +48,7 @@ fn series_are_within_their_truncation() {
                     let [error, way] = error(&mut rng, &patches, tile);
                     let allowed = bound + 3e-7 * way;
                     assert!(error <= allowed, "{projection} {shift} {tile:?}: {error} > {allowed}");
-                    most = most.max(error / allowed);
+                    most = maximum(most, error / allowed);
                 }
                 assert!(most > 0.02, "{projection} {shift} {level}: only {most} of the bound");
             }
@@ -142,11 +143,11 @@ fn split_numbers_are_within_their_bounds() {
             assert_eq!(high[k], point[k] as f32);
             let error = (point[k] - f64::from(high[k]) - f64::from(low[k])).abs();
             let bound = 2_f64.powi(-49) * point[k].abs();
-            most[0] = most[0].max(error / bound);
+            most[0] = maximum(most[0], error / bound);
             let truth = point[k] - eye[k];
             let error = (f64::from(seen[k]) - truth).abs();
-            let bound = 2_f64.powi(-23) * truth.abs() + 2_f64.powi(-45) * point[k].abs().max(eye[k].abs());
-            most[1] = most[1].max(error / bound);
+            let bound = 2_f64.powi(-23) * truth.abs() + 2_f64.powi(-45) * maximum(point[k].abs(), eye[k].abs());
+            most[1] = maximum(most[1], error / bound);
         }
     }
     println!("largest of the bounds: {most:.2?}");

@@ -2,6 +2,7 @@ use terrella::cube::{CubeMap, Projection};
 use terrella::scene::Scene;
 use terrella::terrain::{Heights, Patches, Tile};
 use terrella::{Ellipsoid, Shift};
+use testkit::minimum;
 
 /// The bound at a level, from the smallest tolerance that it keeps.
 fn bound(scene: Scene, projection: Projection, level: u8) -> [f64; 2] {
@@ -50,7 +51,7 @@ fn levels_hold_for_every_projection_shift_and_ellipsoid() {
                         most[k] <= bounds[k],
                         "{projection} {f} {shift} level {level}: {most:?} of {bounds:?}"
                     );
-                    tightest[k][n] = tightest[k][n].min(bounds[k] / most[k]);
+                    tightest[k][n] = minimum(tightest[k][n], bounds[k] / most[k]);
                 }
             }
         }

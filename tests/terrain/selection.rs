@@ -7,6 +7,7 @@ use terrella::terrain::{
     Camera, Detail, Enclosure, Heights, Horizon, InvalidCamera, InvalidDetail, InvalidTile, Selection, Tile,
 };
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
+use testkit::{maximum, minimum};
 
 type Vector = [f64; 3];
 
@@ -126,7 +127,7 @@ fn first_hit(ellipsoid: Ellipsoid<f64>, eye: Vector, ray: Vector, height: f64) -
 /// mountains has no end.
 fn range(view: &View, ellipsoid: Ellipsoid<f64>) -> [f64; 2] {
     let height = ellipsoid.to_geodetic(ecef(view.eye)).height().abs();
-    [-500_f64.min(0.1 * height), 9_000_f64.min(0.5 * height)].map(f64::round)
+    [-minimum(500.0, 0.1 * height), minimum(9_000.0, 0.5 * height)].map(f64::round)
 }
 
 fn terrain(view: &View, map: &CubeMap<f64, Projection>) -> Heights<f64> {
@@ -278,7 +279,7 @@ fn paper_counts(projection: Projection) -> Vec<usize> {
             let forward = plus(down.map(|v| v * tilt.cos()), tilt.sin(), level);
             let view = View::new(eye, forward, plus(level, 0.01, down), 50.0, SCREEN);
             // Terrain as it is in most places, and data without end.
-            let heights = Heights::new(0.0, 0.01 * height.min(1e5)).unwrap();
+            let heights = Heights::new(0.0, 0.01 * minimum(height, 1e5)).unwrap();
             Selection::new(&enclosure, view.camera(), Detail::new(512, 1.5, 22).unwrap(), |_| {
                 heights
             })
@@ -354,7 +355,7 @@ fn coverage_is_the_area_of_the_hull() {
                 before += 1;
                 let (area, expected) = (camera.coverage(&bounds), hull_area(corners));
                 assert!(
-                    (area - expected).abs() <= 1e-6 * expected.max(1e-6),
+                    (area - expected).abs() <= 1e-6 * maximum(expected, 1e-6),
                     "{area} {expected}"
                 );
             }
