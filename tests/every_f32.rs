@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use terrella::cube::{CubeProjection, Face, Quadrilateralized, Vertex};
 use terrella::latitude::Conversion;
 use terrella::{Ellipsoid, Latitude, Real, math};
+use testkit::{maximum, minimum};
 
 #[allow(dead_code)] // shared
 #[path = "accuracy/table.rs"]
@@ -36,7 +37,7 @@ impl Worst {
 /// |found − exact| in units of the last place of the exact, the smallest subnormal at least.
 fn ulps(found: f32, exact: f64) -> f64 {
     let binade = f64::from_bits(exact.to_bits() & 0x7FF0_0000_0000_0000);
-    let ulp = (binade * f64::from(f32::EPSILON)).max(f64::from(f32::from_bits(1)));
+    let ulp = maximum(binade * f64::from(f32::EPSILON), f64::from(f32::from_bits(1)));
     let found = f64::from(found);
     if found == exact {
         0.0
@@ -308,26 +309,31 @@ fn latitudes() {
             let limit = if from == Latitude::Isometric { 17.0 } else { quarter };
             let error = |x: f32| {
                 // The scalar's right angle is less than one: π/2 rounds down in f64, up in f32.
-                let exact =
-                    double.radians(f64::from(x).min(if from == Latitude::Isometric { 40.0 } else { FRAC_PI_2 }));
+                let exact = double.radians(minimum(
+                    f64::from(x),
+                    if from == Latitude::Isometric { 40.0 } else { FRAC_PI_2 },
+                ));
                 (f64::from(single.radians(x).unwrap()), exact.unwrap())
             };
             let worst = pieces(2f32.powi(-20), limit.next_down())
                 .map(|bits| {
-                    let mut worst = (0.0, 0.0);
+                    let mut worst = (testkit::Worst::default(), 0.0);
                     for x in bits.map(f32::from_bits) {
                         let (found, exact) = error(x);
                         let scale = if to == Latitude::Isometric {
-                            exact.abs().max(1.0)
+                            maximum(exact.abs(), 1.0)
                         } else {
                             1.0
                         };
-                        let error = (found - exact).abs() / scale;
-                        worst = if error <= worst.0 { worst } else { (error, x) };
+                        if worst.0.add((found - exact).abs() / scale) {
+                            worst.1 = x;
+                        }
                     }
                     worst
                 })
-                .reduce(|| (0.0, 0.0), |a, b| if b.0 <= a.0 { a } else { b });
+                .reduce_with(|mut a, b| if a.0.add(b.0.value()) { b } else { a })
+                .map(|(worst, x)| (worst.value(), x))
+                .unwrap();
             let claimed = claim(match (from, to) {
                 (_, Latitude::Isometric) => "isometric latitude, relative to 1 or more",
                 (Latitude::Geodetic, _) => "latitude of a geodetic one",

@@ -5,6 +5,7 @@
 
 use terrella::Direction;
 use terrella::cube::{Corner, CubeProjection, Edge, Face, FacePoint, Projection};
+use testkit::Worst;
 
 use crate::sample::{Scalar, coordinates, every_projection, ulps};
 use crate::unfolded::{across_and_along, all_edges, at_corner, beyond, normal, on_edge};
@@ -37,7 +38,7 @@ fn direction<T: Scalar>(projection: Projection, face: Face, [x, y]: [T; 2]) -> [
 }
 
 fn apart<T: Scalar>(a: [T; 3], b: [T; 3]) -> f64 {
-    (0..3).map(|i| ulps(a[i], b[i])).fold(0.0, f64::max)
+    Worst::of((0..3).map(|i| ulps(a[i], b[i])))
 }
 
 fn inverse_meets<T: Scalar>(projection: Projection) {

@@ -2,6 +2,7 @@ use fastrand::Rng;
 use terrella::geodesic::{Geodesic, Inverse, Karney};
 use terrella::scene::{AnyModel, Distances, Model};
 use terrella::{LatLon, Real};
+use testkit::maximum;
 
 use crate::draw::{Drawn, Tally, double, median, power, say, turned};
 
@@ -22,10 +23,11 @@ fn seen<T: Real>(method: &AnyModel<T>, pairs: &[Pair], origin: f64) -> [f64; 2] 
         .fold([0.0, 0.0], |[distance, azimuth], ([from, to], truth)| {
             let way = method.inverse(place(*from), place(*to)).unwrap();
             [
-                distance.max((double(way.distance) - truth.distance).abs()),
-                azimuth
-                    .max(turned(double(way.azimuth1), truth.azimuth1))
-                    .max(turned(double(way.azimuth2), truth.azimuth2)),
+                maximum(distance, (double(way.distance) - truth.distance).abs()),
+                maximum(
+                    maximum(azimuth, turned(double(way.azimuth1), truth.azimuth1)),
+                    turned(double(way.azimuth2), truth.azimuth2),
+                ),
             ]
         })
 }

@@ -4,6 +4,7 @@ use fastrand::Rng;
 use terrella::geodesic::{Geodesic, Inverse, Karney};
 use terrella::scene::Scene;
 use terrella::{Ellipsoid, LatLon, Real};
+use testkit::minimum;
 
 /// A scene before its tolerance, and what it was made of.
 #[derive(Debug)]
@@ -93,7 +94,7 @@ pub fn double<T: Real>(value: T) -> f64 {
 /// The difference of two angles, in radians.
 pub fn turned(a: f64, b: f64) -> f64 {
     let off = (a - b).rem_euclid(360.0);
-    off.min(360.0 - off).to_radians()
+    minimum(off, 360.0 - off).to_radians()
 }
 
 pub fn median(values: &mut [f64]) -> f64 {

@@ -2,6 +2,7 @@ use fastrand::Rng;
 use terrella::latitude::Shift;
 use terrella::scene::Figure;
 use terrella::{Ellipsoid, Geodetic, LatLon};
+use testkit::maximum;
 
 use crate::draw::{Drawn, Tally, median, power, say};
 
@@ -47,7 +48,7 @@ fn hold(scenes: usize) {
                     let place = on(figure, position);
                     let off = (0..3).map(|k| (place[k] - truth[k]).powi(2)).sum::<f64>().sqrt();
                     assert!(off <= figure.bound(), "{figure:?} in {drawn:?}: {off:e}");
-                    *error = error.max(off);
+                    *error = maximum(*error, off);
                 }
             }
         }

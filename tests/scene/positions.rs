@@ -2,6 +2,7 @@ use fastrand::Rng;
 use terrella::geodesic::Karney;
 use terrella::scene::{Positions, View};
 use terrella::{Geodetic, LatLon, LocalFrame, Real};
+use testkit::{maximum, minimum};
 
 use crate::draw::{Drawn, Tally, double, median, power, say};
 
@@ -16,7 +17,7 @@ fn hold<T: Real>(local: bool, scenes: usize) {
     for _ in 0..scenes {
         let mut drawn = Drawn::any(&mut rng, 10.0);
         let karney = Karney::new(drawn.ellipsoid).unwrap();
-        let span = power(&mut rng, -3.0, 0.0) * drawn.far.min(1e4);
+        let span = power(&mut rng, -3.0, 0.0) * minimum(drawn.far, 1e4);
         let low = (1e4 - span) * rng.f64();
         drawn.scene = drawn.scene.heights(low, low + span);
         if local {
@@ -52,7 +53,7 @@ fn hold<T: Real>(local: bool, scenes: usize) {
                         .enu(narrow(given));
                     let off = [enu.east, enu.north, enu.up].map(double);
                     let off = [off[0] - truth.east, off[1] - truth.north, off[2] - truth.up];
-                    *seen = seen.max(off.iter().map(|x| x * x).sum::<f64>().sqrt());
+                    *seen = maximum(*seen, off.iter().map(|x| x * x).sum::<f64>().sqrt());
                 }
             }
         }

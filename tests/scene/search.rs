@@ -2,6 +2,7 @@ use std::f64::consts::PI;
 
 use terrella::geodesic::{Andoyer, Flat, Geodesic, GreatCircle, Karney};
 use terrella::{Ellipsoid, LatLon};
+use testkit::maximum;
 
 use crate::draw::turned;
 
@@ -15,10 +16,12 @@ fn largest(method: &impl Geodesic<f64>, karney: &Karney<f64>, lat: f64, distance
             .position;
         let (truth, way) = (karney.inverse(from, to).unwrap(), method.inverse(from, to).unwrap());
         [
-            off.max((truth.distance - way.distance).abs()),
-            turn.max(turned(truth.azimuth1, way.azimuth1))
-                .max(turned(truth.azimuth2, way.azimuth2)),
-            steepest.max(to.lat()),
+            maximum(off, (truth.distance - way.distance).abs()),
+            maximum(
+                maximum(turn, turned(truth.azimuth1, way.azimuth1)),
+                turned(truth.azimuth2, way.azimuth2),
+            ),
+            maximum(steepest, to.lat()),
         ]
     })
 }
@@ -45,8 +48,8 @@ fn factors_of_the_formulas() {
                     ];
                     println!("flat, f {f:.4}, latitude {lat}, {s:e} m: {ratios:.3?}");
                     worst = [
-                        worst[0].max(ratios[0]),
-                        worst[1].max(ratios[1]),
+                        maximum(worst[0], ratios[0]),
+                        maximum(worst[1], ratios[1]),
                         worst[2],
                         worst[3],
                         worst[4],
@@ -65,7 +68,7 @@ fn factors_of_the_formulas() {
             1.0, 10.0, 30.0, 60.0, 90.0, 105.0, 120.0, 135.0, 150.0, 160.0, 170.0, 175.0, 177.0, 178.0,
         ] {
             let sigma = f64::to_radians(degrees);
-            let (x, short) = ((2.0 / PI * sigma - 1.0).max(0.0), PI - sigma);
+            let (x, short) = (maximum(2.0 / PI * sigma - 1.0, 0.0), PI - sigma);
             for lat in [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0] {
                 let s = sigma * ellipsoid.b();
                 let [off, turn, _] = largest(&andoyer, &karney, lat, s);
@@ -78,7 +81,7 @@ fn factors_of_the_formulas() {
                 ];
                 println!("andoyer and sphere, f {f:.4}, {degrees}°, latitude {lat}: {ratios:.3?}");
                 for k in 0..3 {
-                    worst[2 + k] = worst[2 + k].max(ratios[k]);
+                    worst[2 + k] = maximum(worst[2 + k], ratios[k]);
                 }
             }
         }
