@@ -6,6 +6,7 @@ use terrella::distortion::Ground;
 use terrella::geodesic::{Area, Geodesic, GreatCircle, Karney, Vincenty};
 use terrella::latitude::Conversion;
 use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, Latitude, Shift, math};
+use testkit::{Worst, maximum, minimum};
 
 use crate::truth::{
     ATAN, ATAN2, CBRT, CLAIMS, CLAIMS_OF_PROJECTIONS, DIRECT, DIRECTION, GEODETIC, GREAT_CIRCLE, INVERSE, JACOBIAN,
@@ -51,13 +52,14 @@ fn judge<T: Single, const GIVEN: usize, const TRUTH: usize>(
     rows: &[Row<GIVEN, TRUTH>],
     error: impl Fn([T; GIVEN], &Row<GIVEN, TRUTH>) -> Option<f64>,
 ) {
-    let (mut count, mut worst) = (0, 0.0);
+    let (mut count, mut worst) = (0, Worst::default());
     for row in rows {
         if let Some(error) = row.lift().and_then(|given| error(given, row)) {
             count += 1;
-            worst = if error <= worst { worst } else { error };
+            worst.add(error);
         }
     }
+    let worst = worst.value();
     let well = worst <= claimed && count >= 5;
     *kept &= well;
     let verdict = if well { "" } else { "\tNOT KEPT" };
@@ -82,7 +84,7 @@ fn place<T: Single>(lat: T, lon: T) -> Option<LatLon<T>> {
 }
 
 fn kernels<T: Single>(kept: &mut bool) {
-    let pair = |row: &Row<1, 2>, (sin, cos): (T, T)| row.truth[0].ulps(sin).max(row.truth[1].ulps(cos));
+    let pair = |row: &Row<1, 2>, (sin, cos): (T, T)| maximum(row.truth[0].ulps(sin), row.truth[1].ulps(cos));
     hold::<T, _, _>(kept, "math::sin_cos", SIN_COS, |[x], row| {
         (row.given[0].abs() <= 100.0).then(|| pair(row, math::sin_cos(x)))
     });
@@ -115,7 +117,7 @@ fn positions<T: Single>(kept: &mut bool) {
     });
     hold::<T, _, _>(kept, "Direction to LatLon", LAT_LON, |[x, y, z], row| {
         let place = Direction::new(x, y, z).ok()?.to_lat_lon();
-        Some(row.truth[0].ulps(place.lat()).max(row.truth[1].ulps(place.lon())))
+        Some(maximum(row.truth[0].ulps(place.lat()), row.truth[1].ulps(place.lon())))
     });
     let earth = Ellipsoid::<T>::wgs84();
     let to_ecef = |[lat, lon, h]: [T; 3], row: &Row<3, 3>| {
@@ -181,7 +183,10 @@ fn latitudes<T: Single>(kept: &mut bool) {
     hold::<T, _, _>(kept, "latitude of a geodetic one", LATITUDES, |[phi], row| {
         let mut worst = 0.0_f64;
         for (latitude, truth) in angles.into_iter().zip(&row.truth) {
-            worst = worst.max(truth.error(conversion(Latitude::Geodetic, latitude)?.radians(phi).ok()?));
+            worst = maximum(
+                worst,
+                truth.error(conversion(Latitude::Geodetic, latitude)?.radians(phi).ok()?),
+            );
         }
         Some(worst)
     });
@@ -192,7 +197,7 @@ fn latitudes<T: Single>(kept: &mut bool) {
         truth
             .value()
             .is_finite()
-            .then(|| truth.error(found) / truth.value().abs().max(1.0))
+            .then(|| truth.error(found) / maximum(truth.value().abs(), 1.0))
     });
     for (what, of_isometric) in [
         ("geodetic latitude of another", false),
@@ -211,7 +216,7 @@ fn latitudes<T: Single>(kept: &mut bool) {
 /// In `f32` an error of a geodesic may grow by 1.5e-7 of the distance before it counts.
 fn beyond_rounding<T: Single>(error: f64, distance: f64) -> f64 {
     let allowed = if T::INDEX == 1 { 1.5e-7 * distance.abs() } else { 0.0 };
-    (error - allowed).max(0.0)
+    maximum(error - allowed, 0.0)
 }
 
 fn geodesics<T: Single>(kept: &mut bool) {
@@ -253,8 +258,8 @@ fn geodesics<T: Single>(kept: &mut bool) {
         |[a, b, c, d], row| {
             let found = karney.inverse(place(a, b)?, place(c, d)?).ok()?;
             let [s12, azi1, azi2, m12, _] = &row.truth;
-            let turn = azi1.turn(found.azimuth1).max(azi2.turn(found.azimuth2));
-            (row.word == "unique").then(|| turn.to_radians() * m12.value().abs().min(s12.value()))
+            let turn = maximum(azi1.turn(found.azimuth1), azi2.turn(found.azimuth2));
+            (row.word == "unique").then(|| turn.to_radians() * minimum(m12.value().abs(), s12.value()))
         },
     );
     // Near conjugate points the reduced length and the area are as ill-conditioned as the azimuths.
@@ -315,7 +320,7 @@ fn projections<T: Single>(kept: &mut bool, projection: Projection, forward: &[Ro
             let [face, x, y] = &row.truth;
             // On an edge the rounding of the input decides.
             let same = f64::from(point.face().index()) == face.value();
-            same.then(|| x.error(point.x()).max(y.error(point.y())))
+            same.then(|| maximum(x.error(point.x()), y.error(point.y())))
         },
     );
     judge::<T, _, _>(

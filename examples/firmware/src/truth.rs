@@ -2,6 +2,7 @@
 
 use terrella::Real;
 use terrella::cube::Projection;
+use testkit::minimum;
 
 /// A number as the sum of two.
 pub struct Long(f64, f64);
@@ -29,7 +30,7 @@ impl Long {
     /// |computed − truth| of two angles in degrees.
     pub fn turn<T: Single>(&self, computed: T) -> f64 {
         let error = self.error(computed);
-        error.min((360.0 - error).abs())
+        minimum(error, (360.0 - error).abs())
     }
 
     /// |computed − truth| in units of the last place of the truth.
