@@ -3,6 +3,7 @@
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
+use testkit::Worst;
 
 /// Metres that an error of one face unit counts for: the sphere's radius of 6371 km times π/4, the length of half a
 /// middle line of a face.
@@ -130,7 +131,7 @@ pub fn merge(records: &[Record]) -> Vec<Record> {
         let same: Vec<&Record> = records.iter().filter(|other| other.key() == record.key()).collect();
         let mut medians: Vec<f64> = same.iter().map(|record| record.ns_median).collect();
         medians.sort_by(f64::total_cmp);
-        let largest = |value: fn(&Record) -> f64| same.iter().map(|record| value(record)).fold(f64::NAN, f64::max);
+        let largest = |value: fn(&Record) -> f64| Worst::of(same.iter().map(|record| value(record)));
         merged.push(Record {
             ns_min: same.iter().map(|record| record.ns_min).fold(f64::INFINITY, f64::min),
             ns_median: medians[medians.len() / 2],

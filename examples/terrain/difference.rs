@@ -1,5 +1,7 @@
 //! How far the vertices of two meshes are apart.
 
+use testkit::maximum;
+
 use crate::mesh::{Mesh, distance, node};
 use crate::scalar::Scalar;
 
@@ -31,9 +33,9 @@ impl Difference {
             self.lengths.push(apart as f32);
             let away = distance(*truth);
             if away <= NEAR {
-                self.near = self.near.max(apart);
+                self.near = maximum(self.near, apart);
             } else {
-                self.beyond = self.beyond.max(apart / away);
+                self.beyond = maximum(self.beyond, apart / away);
             }
         }
         lengths
@@ -41,7 +43,7 @@ impl Difference {
 
     /// The largest, in metres.
     pub fn largest(&self) -> f64 {
-        self.lengths.iter().copied().fold(0.0, f32::max).into()
+        self.lengths.iter().copied().fold(0.0, maximum).into()
     }
 
     /// As many are larger as are smaller: metres.

@@ -105,7 +105,7 @@ fn table(frames: &[Frame]) -> String {
             frame.unlike
         );
     }
-    let most = |of: fn(&Frame) -> f64| frames.iter().map(of).fold(0.0, f64::max);
+    let most = |of: fn(&Frame) -> f64| frames.iter().map(of).fold(0.0, testkit::maximum);
     let (near, beyond) = (most(|frame| frame.rounded.near), most(|frame| frame.rounded.beyond));
     let _ = writeln!(text, "within 1 km: at most {:.3} mm", 1e3 * near);
     let _ = writeln!(text, "beyond: at most {:.3} millionths of the distance", 1e6 * beyond);

@@ -38,7 +38,7 @@ pub fn html(options: &Options, map: &CubeMap<f64, Projection>, frames: &[Frame])
         |frame| frame.leaning.as_ref(),
         [["double", "upright"], ["leaning", "leaning"], ["lean", "difference"]],
     );
-    let most = |of: fn(&Frame) -> f64| frames.iter().map(of).fold(0.0, f64::max);
+    let most = |of: fn(&Frame) -> f64| frames.iter().map(of).fold(0.0, testkit::maximum);
     let near = most(|frame| frame.rounded.near);
     let naive_near = most(|frame| frame.naive.as_ref().map_or(0.0, |naive| naive.difference.near));
     let place = aim().map_err(|error| error.to_string())?;
