@@ -10,9 +10,9 @@ use std::{env, format, fs, panic};
 
 const MUTANTS: usize = 0;
 /// No mutant, but every place that is reached is written to the file `REACHED`.
-const REACH: usize = usize::MAX;
+pub(crate) const REACH: usize = usize::MAX;
 
-static CHOSEN: AtomicUsize = AtomicUsize::new(REACH - 1);
+pub(crate) static CHOSEN: AtomicUsize = AtomicUsize::new(REACH - 1);
 static REACHED: [AtomicBool; MUTANTS] = [const { AtomicBool::new(false) }; MUTANTS];
 
 /// The mutant to be, at the place whose first mutant is `place`.
@@ -26,7 +26,7 @@ pub fn at(place: usize) -> usize {
 }
 
 #[cold]
-fn reach(place: usize) {
+pub(crate) fn reach(place: usize) {
     REACHED[place].store(true, Relaxed);
 }
 

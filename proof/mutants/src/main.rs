@@ -3,6 +3,8 @@
 
 mod compile;
 mod mutant;
+mod nan;
+mod plant;
 mod suite;
 mod survival;
 mod weave;
@@ -19,13 +21,21 @@ pub type Failure = Box<dyn Error + Send + Sync>;
 
 fn main() -> Result<(), Failure> {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    let [list, tree, report] = arguments.as_slice() else {
-        return Err("usage: mutants LIST.json TREE REPORT.tsv".into());
-    };
-    let (mutants, tree): (Vec<Mutant>, _) = (serde_json::from_str(&fs::read_to_string(list)?)?, Path::new(tree));
+    match arguments.as_slice() {
+        [nan, tree, report, programs @ ..] if nan == "nan" => nan::run(Path::new(tree), report, programs),
+        [list, tree, report] => mutants(list, Path::new(tree), report),
+        _ => Err("usage: mutants LIST.json TREE REPORT.tsv | mutants nan TREE REPORT.tsv [TESTS]…".into()),
+    }
+}
+
+fn mutants(list: &str, tree: &Path, report: &str) -> Result<(), Failure> {
+    let mutants: Vec<Mutant> = serde_json::from_str(&fs::read_to_string(list)?)?;
 
     let (places, refused) = weave(&mutants, tree)?;
-    let mut fates = survival::of_each(&places, &suite::compile(tree)?)?;
+    let mut fates = {
+        let tests = suite::compile(tree)?;
+        survival::of_each(&places, &survival::known(&tests)?)?
+    };
     for number in 0..mutants.len() {
         let unwoven = if refused.contains(&number) {
             Fate::NotCompiled
@@ -59,13 +69,7 @@ fn weave(mutants: &[Mutant], tree: &Path) -> Result<(BTreeMap<usize, usize>, BTr
     for mutant in mutants {
         sources.insert(&mutant.file, fs::read_to_string(tree.join(&mutant.file))?);
     }
-    let root = tree.join("src/lib.rs");
-    let library = fs::read_to_string(&root)?;
-    fs::write(root, format!("{library}\npub mod chosen;\n"))?;
-    fs::write(
-        tree.join("src/chosen.rs"),
-        include_str!("chosen.rs").replace("MUTANTS: usize = 0", &format!("MUTANTS: usize = {}", mutants.len())),
-    )?;
+    add_modules(tree, mutants.len(), &[])?;
 
     let mut refused = BTreeSet::new();
     loop {
@@ -83,4 +87,17 @@ fn weave(mutants: &[Mutant], tree: &Path) -> Result<(BTreeMap<usize, usize>, BTr
         }
         refused.extend(more);
     }
+}
+
+/// Adds to the library what chooses between so many mutants, and other modules.
+fn add_modules(tree: &Path, mutants: usize, others: &[(&str, &str)]) -> Result<(), Failure> {
+    let chosen = include_str!("chosen.rs").replace("MUTANTS: usize = 0", &format!("MUTANTS: usize = {mutants}"));
+    let root = tree.join("src/lib.rs");
+    let mut library = fs::read_to_string(&root)?;
+    for (name, text) in others.iter().chain([&("chosen", &*chosen)]) {
+        library += &format!("\npub mod {name};\n");
+        fs::write(tree.join(format!("src/{name}.rs")), text)?;
+    }
+    fs::write(root, library)?;
+    Ok(())
 }

@@ -42,13 +42,17 @@ impl fmt::Display for Fate {
     }
 }
 
-/// Of each mutant that is woven, by its number. `places` has for each the place where it is chosen.
-pub fn of_each(places: &BTreeMap<usize, usize>, tests: &[Test]) -> Result<BTreeMap<usize, Fate>, Failure> {
+/// The tests that pass without a mutant, and what they reach.
+pub fn known(tests: &[Test]) -> Result<Vec<Known<'_>>, Failure> {
     let reached: Vec<Option<Known>> = parallel("reach", tests, Known::of)?;
-    let known: Vec<Known> = reached.into_iter().flatten().collect();
+    Ok(reached.into_iter().flatten().collect())
+}
+
+/// Of each mutant that is woven, by its number. `places` has for each the place where it is chosen.
+pub fn of_each(places: &BTreeMap<usize, usize>, known: &[Known]) -> Result<BTreeMap<usize, Fate>, Failure> {
     let mutants: Vec<_> = places.iter().collect();
     let fates = parallel("mutants", &mutants, |(mutant, place)| {
-        Ok((**mutant, of_one(**mutant, **place, &known)?))
+        Ok((**mutant, of_one(**mutant, **place, known)?))
     })?;
     Ok(fates.into_iter().collect())
 }
@@ -76,7 +80,7 @@ fn of_one(mutant: usize, place: usize, tests: &[Known]) -> Result<Fate, Failure>
 }
 
 /// A test, and what is known of it.
-struct Known<'a> {
+pub struct Known<'a> {
     test: &'a Test,
     time: Duration,
     reaches: BTreeSet<usize>,
