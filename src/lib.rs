@@ -19,6 +19,7 @@
 //! | [`LocalFrame`] | east, north, up about an origin; [`Enu`], [`Ned`], [`Aer`] |
 //! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from ellipsoid to sphere |
 //! | [`cube`] | faces, points on them, sixteen projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
+//! | [`healpix`] | standard HEALPix on the sphere: nested pixels and the plane |
 //! | [`geodesic`] | distances, azimuths, destinations and areas: nine methods behind one trait |
 //! | [`distortion`] | what a projection does to shapes, areas and texels; surveys of whole faces |
 //! | [`terrain`] | tiles of the faces: addresses, neighbours, keys, bounds, which of them a picture needs, and vertices in single precision |
@@ -51,6 +52,7 @@ mod dual;
 mod ellipsoid;
 pub mod frame;
 pub mod geodesic;
+pub mod healpix;
 mod interop;
 pub mod latitude;
 pub mod math;

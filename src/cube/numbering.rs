@@ -40,6 +40,26 @@ impl Numbering {
         }
     }
 
+    /// The quarter turns from this crate's axes to the other's, counter-clockwise.
+    #[inline(always)]
+    pub(crate) const fn turns(self, face: Face) -> u8 {
+        self.entry(face).1
+    }
+
+    /// Column and row by this numbering's axes, of squares of which the last is `last`.
+    #[inline(always)]
+    pub(crate) const fn to_square(self, face: Face, last: u32, square: [u32; 2]) -> [u32; 2] {
+        let [i, j] = turned_square(square, last, self.turns(face));
+        [i, if matches!(self, Self::OpenGl) { last - j } else { j }]
+    }
+
+    /// Column and row by this crate's axes.
+    #[inline(always)]
+    pub(crate) const fn from_square(self, face: Face, last: u32, [i, j]: [u32; 2]) -> [u32; 2] {
+        let up = if matches!(self, Self::OpenGl) { last - j } else { j };
+        turned_square([i, up], last, 4 - self.turns(face))
+    }
+
     /// This numbering's number of a face.
     ///
     /// ```
@@ -97,6 +117,15 @@ fn turned<T: Real>(x: T, y: T, quarters: u8) -> (T, T) {
         1 => (-y, x),
         3 => (y, -x),
         _ => (x, y),
+    }
+}
+
+/// A square's column and row, turned alike.
+const fn turned_square([i, j]: [u32; 2], last: u32, quarters: u8) -> [u32; 2] {
+    match quarters {
+        1 => [last - j, i],
+        3 => [j, last - i],
+        _ => [i, j],
     }
 }
 

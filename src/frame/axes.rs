@@ -1,3 +1,5 @@
+use core::fmt;
+
 use crate::Real;
 use crate::math::{max, select, sin_cos_degrees};
 use crate::position::angle_degrees;
@@ -66,6 +68,27 @@ pub struct Aer<T> {
     /// Distance in metres.
     pub range: T,
 }
+
+/// A vector east, north and up that has no place: a component is infinite or not a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct InvalidEnu<T> {
+    /// Toward the east.
+    pub east: T,
+    /// Toward the north.
+    pub north: T,
+    /// Away from the ellipsoid.
+    pub up: T,
+}
+
+impl<T: fmt::Debug> fmt::Display for InvalidEnu<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { east, north, up } = self;
+        write!(f, "({east:?}, {north:?}, {up:?}) east, north, up is not finite")
+    }
+}
+
+impl<T: fmt::Debug> core::error::Error for InvalidEnu<T> {}
 
 impl<T: Real> From<Ned<T>> for Enu<T> {
     #[inline(always)]

@@ -1,8 +1,10 @@
 //! [`LocalFrame`]: east, north and up about an origin, and what is seen from there.
 
 mod axes;
+mod offset;
 
-pub use axes::{Aer, Enu, Ned};
+pub use axes::{Aer, Enu, InvalidEnu, Ned};
+pub use offset::GeodeticOffset;
 
 use crate::math::{select, sin_cos_degrees};
 use crate::{Direction, Ecef, Ellipsoid, Geodetic, InvalidEcef, Real};

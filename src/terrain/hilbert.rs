@@ -1,7 +1,7 @@
 use super::Curve;
 use super::key::sealed::Order;
-use super::morton::{gathered, spread};
 use crate::cube::{Face, Numbering};
+use crate::math::{gathered, spread};
 
 /// Hilbert's curve, as S2 draws it through the six faces: each tile of a level shares an edge with the next.
 ///

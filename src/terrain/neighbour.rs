@@ -189,6 +189,35 @@ impl Tile {
         }
     }
 
+    /// The tiles of a coarser level that meet in the corner nearest to this tile (of the corners of its ancestor of that level, the ancestor first):
+    /// S2's `AppendVertexNeighbors`. A disc no wider than half a tile of that level about a place in this tile is covered by them. None for a level that is not coarser.
+    ///
+    /// ```
+    /// use terrella::cube::{Corner, Face};
+    /// use terrella::terrain::Tile;
+    /// let tile = Tile::new(Face::Front, 5, 18, 17)?;
+    /// assert_eq!(tile.around_nearest(3), Some(Tile::new(Face::Front, 3, 4, 4)?.around(Corner::DownRight)));
+    /// assert_eq!(tile.around_nearest(5), None);
+    /// # Ok::<(), terrella::terrain::InvalidTile>(())
+    /// ```
+    #[must_use]
+    pub const fn around_nearest(self, level: u8) -> Option<Around> {
+        // The quarter of the ancestor that this tile is in has the corner.
+        let Some(Self { i, j, .. }) = self.ancestor(level.saturating_add(1)) else {
+            return None;
+        };
+        let Some(ancestor) = self.ancestor(level) else {
+            return None;
+        };
+        let corner = match (i % 2, j % 2) {
+            (1, 1) => Corner::UpRight,
+            (0, 1) => Corner::UpLeft,
+            (0, _) => Corner::DownLeft,
+            _ => Corner::DownRight,
+        };
+        Some(ancestor.around(corner))
+    }
+
     /// The tiles of any level that touch an edge from beyond: one of a coarser level, or none if that one holds this tile too; one of the same
     /// level; 2ⁿ of the level that is finer by n, from low to high x or y of this tile.
     ///

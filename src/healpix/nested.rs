@@ -1,0 +1,227 @@
+use core::fmt;
+
+use super::plane::{Facet, belt, cap, middle};
+use crate::math::{atan2_degrees, either, gathered, select, spread};
+use crate::{LatLon, Real};
+
+/// A pixel of standard HEALPix, by its number in the nested scheme.
+///
+/// At depth k (`order` in other libraries) a base pixel has `nside` × `nside` pixels, `nside` = 2ᵏ. The first four bits of a number are the base pixel: 0 to 3 about the north pole
+/// eastward from longitude 0, 4 to 7 on the equator with 4 about longitude 0, 8 to 11 about the south pole. Then come two bits for each level: x from the southern corner to the eastern one
+/// in the even places, y from the southern corner to the western one in the odd ones.
+///
+/// ```
+/// use terrella::healpix::Pixel;
+/// use terrella::LatLon;
+/// let vega = LatLon::new(38.783_69, 279.234_73)?;
+/// let pixel = Pixel::containing(vega, 9)?;
+/// assert_eq!((pixel.depth(), pixel.number()), (9, 923_532));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[doc(alias = "HEALPix")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Pixel {
+    depth: u8,
+    number: u64,
+}
+
+impl Pixel {
+    /// The largest depth, at which a pixel on the Earth is 1.2 cm wide.
+    pub const MAX_DEPTH: u8 = 29;
+
+    /// From a depth in 0 to 29, and a number in 0 to 12·4^depth − 1.
+    ///
+    /// # Errors
+    /// [`InvalidPixel`] for a depth above 29, or a number that the depth does not have.
+    #[inline]
+    pub const fn new(depth: u8, number: u64) -> Result<Self, InvalidPixel> {
+        if depth > Self::MAX_DEPTH {
+            return Err(InvalidPixel::Depth(depth));
+        }
+        if number >> (2 * depth) >= 12 {
+            return Err(InvalidPixel::Number { depth, number });
+        }
+        Ok(Self { depth, number })
+    }
+
+    /// The pixel of a depth in which a place lies, latitude and longitude on the sphere.
+    ///
+    /// On the line between pixels the one to the north or to the east of it, but in the southern cap the one to the south; of the poles, the base pixel that begins at the longitude.
+    ///
+    /// Worst error TODO
+    ///
+    /// ```
+    /// use terrella::healpix::Pixel;
+    /// use terrella::LatLon;
+    /// assert_eq!(Pixel::containing(LatLon::new(41.81, 0.0)?, 0)?.number(), 0);
+    /// assert_eq!(Pixel::containing(LatLon::new(0.0, 0.0)?, 0)?.number(), 4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidPixel::Depth`] for a depth above 29.
+    #[inline]
+    pub fn containing<T: Real>(place: LatLon<T>, depth: u8) -> Result<Self, InvalidPixel> {
+        if depth > Self::MAX_DEPTH {
+            return Err(InvalidPixel::Depth(depth));
+        }
+        let facet = Facet::of(place);
+        let Facet {
+            quarter,
+            turn,
+            height,
+            outward,
+        } = facet;
+        let last = (1_u32 << depth) - 1;
+        let across = T::whole(1 << depth);
+        let index = |share: T| (share * across).floor().cast_unsigned().min(last);
+        let (zero, half) = (T::ZERO, T::of(0.5));
+        let north = height > zero;
+        // Four base pixels meet in the middle of the quarter on the equator; of the two lines between them one rises to the east.
+        let slope = half * height;
+        let (rising, falling) = (turn + slope, turn - slope);
+        let wrapped = |share: T| share + either(share < zero, T::ONE);
+        let belt = [index(wrapped(rising)), last - index(wrapped(falling))];
+        let base = match (rising >= zero, falling >= zero) {
+            (true, false) => quarter,
+            (false, true) => 8 + quarter,
+            (true, true) => 4 + (quarter + 1) % 4,
+            (false, false) => 4 + quarter,
+        };
+        let (east, west) = (index((half + turn) * outward), index((half - turn) * outward));
+        let cap = select(north, [last - west, last - east], [east, west]);
+        let polar = select(north, quarter, 8 + quarter);
+        let (base, square) = select(facet.is_cap(), (polar, cap), (base, belt));
+        Ok(Self::within(depth, base, square))
+    }
+
+    /// For a column and row known to be in range.
+    #[inline(always)]
+    fn within(depth: u8, base: u8, [x, y]: [u32; 2]) -> Self {
+        Self {
+            depth,
+            number: u64::from(base) << (2 * depth) | spread(x) | spread(y) << 1,
+        }
+    }
+
+    /// The depth, in 0 to 29.
+    #[must_use]
+    #[inline(always)]
+    pub const fn depth(self) -> u8 {
+        self.depth
+    }
+
+    /// The number in the nested scheme, in 0 to 12·4^depth − 1.
+    #[must_use]
+    #[inline(always)]
+    pub const fn number(self) -> u64 {
+        self.number
+    }
+
+    /// The middle.
+    #[must_use]
+    #[inline]
+    pub fn centre<T: Real>(self) -> LatLon<T> {
+        let half = T::of(0.5);
+        self.at([half, half])
+    }
+
+    /// The place in the pixel at (dx, dy) ∈ [0, 1]²: dx from the southern corner to the eastern one, dy from the southern corner to the western one.
+    ///
+    /// Worst error TODO
+    ///
+    /// ```
+    /// use terrella::healpix::Pixel;
+    /// let base = Pixel::new(0, 5)?;
+    /// let [south, east] = [base.place([0.0, 0.0])?, base.place([1.0, 0.0])?];
+    /// assert_eq!((south.lon(), east.lat(), east.lon()), (90.0, 0.0, 135.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidPixelPlace`] if dx or dy is outside [0, 1] or NaN.
+    #[inline]
+    pub fn place<T: Real>(self, [dx, dy]: [T; 2]) -> Result<LatLon<T>, InvalidPixelPlace<T>> {
+        let inside = |d: T| (d >= T::ZERO) & (d <= T::ONE);
+        if !(inside(dx) & inside(dy)) {
+            return Err(InvalidPixelPlace { dx, dy });
+        }
+        Ok(self.at([dx, dy]))
+    }
+
+    /// For a place known to be in the pixel.
+    #[inline(always)]
+    fn at<T: Real>(self, [dx, dy]: [T; 2]) -> LatLon<T> {
+        let base = (self.number >> (2 * self.depth)) as u8;
+        let last = (1_u32 << self.depth) - 1;
+        let (x, y) = (gathered(self.number) & last, gathered(self.number >> 1) & last);
+        let (zero, one) = (T::ZERO, T::ONE);
+        let whole = |number: u32| T::whole(number.into());
+        // From the southern corner, from the northern one, and from the line between these to the east, over half of the base pixel's diagonal.
+        let across = T::whole(1 << self.depth);
+        let south = (whole(x + y) + (dx + dy)) / across;
+        let north = (whole(2 * last - (x + y)) + ((one - dx) + (one - dy))) / across;
+        let apart = whole(x.abs_diff(y));
+        let east = (select(x < y, -apart, apart) + (dx - dy)) / across;
+        let (row, column) = (base / 4, base % 4);
+        // Of the base pixel's two halves that from the equator, or from the pole.
+        let (height, outward) = match row {
+            0 => (south, north),
+            1 => (south - one, one),
+            _ => (-north, south),
+        };
+        let is_cap = height.abs() > one;
+        let (sin, cos) = select(is_cap, cap(outward), belt(height.abs()));
+        let share = east / select(is_cap & (outward > zero), outward, one);
+        let equatorial = T::of(90.0) * T::from_byte(column);
+        let back = (column > 2) | ((column == 2) & (east > zero));
+        let equatorial = equatorial - either(back, T::of(360.0));
+        let lon = select(row == 1, equatorial, middle(column)) + T::of(45.0) * share;
+        LatLon::within(atan2_degrees(sin.copysign(height), cos), lon)
+    }
+}
+
+/// Why there is no such [`Pixel`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum InvalidPixel {
+    /// The depth is above 29.
+    Depth(u8),
+    /// The depth has no such number.
+    Number {
+        /// The depth.
+        depth: u8,
+        /// The number.
+        number: u64,
+    },
+}
+
+impl fmt::Display for InvalidPixel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Depth(depth) => write!(f, "depth {depth} is not in 0 to 29"),
+            Self::Number { depth, number } => write!(f, "pixel {number} is not in 0 to 12·4^{depth} - 1"),
+        }
+    }
+}
+
+impl core::error::Error for InvalidPixel {}
+
+/// A place that is not in a pixel: dx or dy is not in [0, 1].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct InvalidPixelPlace<T> {
+    /// From the southern corner to the eastern one.
+    pub dx: T,
+    /// From the southern corner to the western one.
+    pub dy: T,
+}
+
+impl<T: fmt::Debug> fmt::Display for InvalidPixelPlace<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "({:?}, {:?}) is not in [0, 1]²", self.dx, self.dy)
+    }
+}
+
+impl<T: fmt::Debug> core::error::Error for InvalidPixelPlace<T> {}

@@ -1,0 +1,151 @@
+use core::fmt;
+
+use crate::math::{atan2_degrees, either, max, min, select, sin_cos_degrees};
+use crate::{LatLon, Real};
+
+/// A place, as both of HEALPix's maps see it from the middle of its quarter of longitude.
+#[derive(Clone, Copy)]
+pub(super) struct Facet<T> {
+    /// The number of the quarter, 0 to 3 eastward from longitude 0.
+    pub quarter: u8,
+    /// The longitude from the middle of the quarter over 90°, in [−½, ½].
+    pub turn: T,
+    /// 3/2 of the latitude's sine: at most 1 from 0 in the equatorial zone.
+    pub height: T,
+    /// √(3(1 − |sin φ|)): 0 at the poles, 1 where the zones meet.
+    pub outward: T,
+}
+
+impl<T: Real> Facet<T> {
+    /// Of a place; on a meridian between two quarters, the eastern one.
+    #[inline(always)]
+    pub(super) fn of(place: LatLon<T>) -> Self {
+        let (sin, cos) = sin_cos_degrees(place.lat());
+        let (right_angle, half_circle) = (T::of(90.0), T::of(180.0));
+        let lon = select(place.lon() < half_circle, place.lon(), -half_circle);
+        let east = select(lon < right_angle, 0, 1);
+        let west = select(lon < -right_angle, 2, 3);
+        let quarter = select(lon < T::ZERO, west, east);
+        Self {
+            quarter,
+            turn: (lon - middle(quarter)) / right_angle,
+            height: T::of(1.5) * sin,
+            // Without the difference, which loses the digits of a place near the pole.
+            outward: cos * (T::of(3.0) / (T::ONE + sin.abs())).sqrt(),
+        }
+    }
+
+    /// Whether the place is in a polar cap.
+    #[inline(always)]
+    pub(super) fn is_cap(self) -> bool {
+        self.height.abs() > T::ONE
+    }
+}
+
+/// The middle of a quarter of longitude, in degrees from −180 to 180.
+#[inline(always)]
+pub(super) fn middle<T: Real>(quarter: u8) -> T {
+    let quarter = T::from_byte(quarter);
+    T::of(45.0) + T::of(90.0) * quarter - either(quarter > T::of(1.5), T::of(360.0))
+}
+
+/// Sine and cosine of a latitude in the northern cap.
+#[inline(always)]
+pub(super) fn cap<T: Real>(outward: T) -> (T, T) {
+    let square = outward * outward;
+    let third = T::of(1.0 / 3.0);
+    (T::ONE - square * third, outward * (T::of(6.0) - square).sqrt() * third)
+}
+
+/// Sine and cosine of a latitude in the equatorial zone.
+#[inline(always)]
+pub(super) fn belt<T: Real>(height: T) -> (T, T) {
+    let sin = height * T::of(2.0 / 3.0);
+    (sin, ((T::ONE - sin) * (T::ONE + sin)).sqrt())
+}
+
+/// HEALPix's plane (Calabretta & Roukema, MNRAS 381, 2007): x in [0, 8), y in [−2, 2], in units of π/4, so that a base pixel is a square on its corner, two
+/// across. Longitude 0 is x = 0, the equator y = 0; the equatorial zone |sin φ| ≤ ⅔ is |y| ≤ 1, and the poles are the tips at x = 1, 3, 5, 7.
+///
+/// Worst error TODO.
+///
+/// ```
+/// use terrella::healpix;
+/// use terrella::LatLon;
+/// assert_eq!(healpix::to_plane(LatLon::new(0.0, -90.0)?), [6.0, 0.0]);
+/// assert_eq!(healpix::to_plane(LatLon::new(90.0, 100.0)?), [3.0, 2.0]);
+/// # Ok::<(), terrella::InvalidLatLon<f64>>(())
+/// ```
+#[must_use]
+#[inline]
+pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
+    let facet = Facet::of(place);
+    let (two, eight) = (T::of(2.0), T::of(8.0));
+    let tip = two * T::from_byte(facet.quarter) + T::ONE;
+    let across = tip + two * facet.turn * facet.outward;
+    let along = place.lon() / T::of(45.0);
+    let along = along + either(along < T::ZERO, eight);
+    // Just west of longitude 0 it rounds to 8, which is 0.
+    let along = either(along < eight, along);
+    let up = (two - facet.outward).copysign(facet.height);
+    select(facet.is_cap(), [across, up], [along, facet.height])
+}
+
+/// The place of a point of HEALPix's plane: the way back of [`to_plane`]. Longitude is in [−180, 180]; of a pole it is the middle of the quarter.
+///
+/// Worst error TODO
+///
+/// ```
+/// use terrella::healpix;
+/// let place = healpix::from_plane([7.25, 1.5])?;
+/// assert_eq!(place.lon(), -22.5);
+/// assert!(healpix::from_plane([0.5, 1.75]).is_err()); // between two tips
+/// # Ok::<(), terrella::healpix::OutsidePlane<f64>>(())
+/// ```
+///
+/// # Errors
+/// [`OutsidePlane`] if x is not in [0, 8], |y| > 2, or the point is between the tips by more than rounding; NaN too.
+#[inline]
+pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>> {
+    let (two, eight) = (T::of(2.0), T::of(8.0));
+    let inside = (x >= T::ZERO) & (x <= eight) & (y.abs() <= two);
+    if !inside {
+        return Err(OutsidePlane { x, y });
+    }
+    let quarter = (x * T::of(0.5)).floor().clamp(0, 3) as u8;
+    let across = x - (two * T::from_byte(quarter) + T::ONE);
+    let outward = two - y.abs();
+    let is_cap = y.abs() > T::ONE;
+    // By so much rounds the sum that x is.
+    if is_cap & (across.abs() > outward + T::of(4.0) * T::EPSILON) {
+        return Err(OutsidePlane { x, y });
+    }
+    let share = across / select(outward > T::ZERO, outward, T::ONE);
+    let share = either(outward > T::ZERO, max(min(share, T::ONE), -T::ONE));
+    let degrees = T::of(45.0);
+    let lon = select(
+        is_cap,
+        middle::<T>(quarter) + degrees * share,
+        degrees * (x - either(x > T::of(4.0), eight)),
+    );
+    let (sin, cos) = select(is_cap, cap(outward), belt(y.abs()));
+    Ok(LatLon::within(atan2_degrees(sin.copysign(y), cos), lon))
+}
+
+/// A point that is not of HEALPix's plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct OutsidePlane<T> {
+    /// Along the equator.
+    pub x: T,
+    /// Toward the north.
+    pub y: T,
+}
+
+impl<T: fmt::Debug> fmt::Display for OutsidePlane<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "({:?}, {:?}) is no point of HEALPix's plane", self.x, self.y)
+    }
+}
+
+impl<T: fmt::Debug> core::error::Error for OutsidePlane<T> {}

@@ -1,0 +1,192 @@
+use super::{Hilbert, InvalidTile, Key, Tile};
+use crate::cube::{Edge, Face, InvalidFace, InvalidFacePoint, InvalidNumbered, Numbering};
+use crate::{Direction, InvalidDirection, Real};
+
+/// Cells of Google's S2, as S2 itself chooses them.
+///
+/// A tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube is S2's cell of the same key, and any place inside of it is in both. Of a
+/// place on the line between cells, or so near to it that rounding decides, [`Tile::containing`] takes the tile of larger x or y by the axes
+/// of this crate, and S2 the cell of larger s or t by its own, after its own rounding: these functions take S2's.
+impl Key<Hilbert> {
+    /// S2's leaf cell of a direction: the number of C++ `S2CellId(point)` bit for bit, of level 30.
+    /// Its cell of a coarser level is the [`ancestor`](Self::ancestor).
+    ///
+    /// The face is that of the largest component, and of equal ones that of z before y before x; then come S2's own divisions and square roots
+    /// in double precision (`s2coords.h`). The ports of S2 to Go and Rust choose x before y before z where components are equal: there,
+    /// on the twelve edges of the cube, they differ from S2 in C++ and from this function.
+    ///
+    /// S2's `S2CellId(S2LatLng)` goes through radians, whose sines and cosines are up to 2·10⁻¹⁶ from those of
+    /// [`LatLon::to_direction`](crate::LatLon::to_direction), which takes degrees: of a place within 2 nm of a line between cells the two may be
+    /// different cells.
+    ///
+    /// ```
+    /// use terrella::terrain::{Hilbert, Key};
+    /// use terrella::LatLon;
+    /// let cell = |lat, lon| Ok(Key::s2_leaf(LatLon::new(lat, lon)?.to_direction()).ancestor(10));
+    /// let token = |lat, lon| cell(lat, lon).map(|key: Option<Key<Hilbert>>| key.map(|key| key.to_string()));
+    /// assert_eq!(token(48.8566, 2.3522)?.as_deref(), Some("47e671"));
+    /// assert_eq!(token(90.0, 0.0)?.as_deref(), Some("500001")); // where four cells meet
+    /// # Ok::<(), terrella::InvalidLatLon<f64>>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn s2_leaf(direction: Direction<f64>) -> Self {
+        leaf_of(direction.to_array())
+    }
+
+    /// S2's leaf cell of a vector of any length, which S2 does not normalise: see [`s2_leaf`](Self::s2_leaf). A vector in single precision goes
+    /// here too, with its components as they are.
+    ///
+    /// ```
+    /// use terrella::terrain::Key;
+    /// let cell = Key::s2_leaf_of([0.0, 1.0, 1.0])?;
+    /// assert_eq!(cell.bits() >> 61, 2); // S2's face of the north
+    /// assert_eq!(Key::s2_leaf_of([0.5_f32, 0.25, 0.0].map(f64::from))?.ancestor(3).map(|key| key.to_string()).as_deref(), Some("13c"));
+    /// # Ok::<(), terrella::InvalidDirection<f64>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidDirection`] if the vector is zero or a component is infinite or NaN.
+    #[inline]
+    pub fn s2_leaf_of([x, y, z]: [f64; 3]) -> Result<Self, InvalidDirection<f64>> {
+        let zero = (x == 0.0) & (y == 0.0) & (z == 0.0);
+        if zero || !(x.is_finite() && y.is_finite() && z.is_finite()) {
+            return Err(InvalidDirection { x, y, z });
+        }
+        Ok(leaf_of([x, y, z]))
+    }
+
+    /// S2's leaf cell of its cell-space coordinates (s, t) ∈ [0, 1]² on one of its faces; a coordinate of 1 is in the last cell.
+    ///
+    /// ```
+    /// use terrella::terrain::Key;
+    /// assert_eq!(Key::s2_leaf_at(0, [0.0, 0.5])?.bits(), 0x0800_0000_0000_0001);
+    /// assert!(Key::s2_leaf_at(6, [0.0, 0.5]).is_err() && Key::s2_leaf_at(0, [0.0, 1.1]).is_err());
+    /// # Ok::<(), terrella::cube::InvalidNumbered<f64>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidNumbered`] for a face above 5, or a coordinate outside [0, 1] or NaN.
+    #[inline]
+    pub fn s2_leaf_at(face: u8, [s, t]: [f64; 2]) -> Result<Self, InvalidNumbered<f64>> {
+        let face = Numbering::S2.face(face).map_err(InvalidNumbered::Face)?;
+        let inside = |s: f64| (s >= 0.0) & (s <= 1.0);
+        if !(inside(s) & inside(t)) {
+            return Err(InvalidNumbered::Point(InvalidFacePoint { x: s, y: t }));
+        }
+        Ok(leaf(face, [s, t]))
+    }
+
+    /// The cells across the four edges, of the same level, in S2's order (`GetEdgeNeighbors`): below, right, above and left by S2's axes.
+    ///
+    /// ```
+    /// use terrella::terrain::Key;
+    /// let face: Key<_> = "3".parse()?;
+    /// assert_eq!(face.s2_edge_neighbours().map(|key| key.to_string()), ["b", "7", "5", "1"]);
+    /// # Ok::<(), terrella::terrain::InvalidToken>(())
+    /// ```
+    #[must_use]
+    pub fn s2_edge_neighbours(self) -> [Self; 4] {
+        let tile = Tile::from(self);
+        [Edge::Down, Edge::Right, Edge::Up, Edge::Left].map(|edge| {
+            tile.neighbour(Edge::turned(edge as u8 + 4 - Numbering::S2.turns(tile.face)))
+                .tile
+                .into()
+        })
+    }
+}
+
+/// The leaf of a vector that is not zero, as `S2::XYZtoFaceUV` and `S2::UVtoST` have it.
+fn leaf_of([x, y, z]: [f64; 3]) -> Key<Hilbert> {
+    let [a, b, c] = [x, y, z].map(f64::abs);
+    let (face, uv) = match (a > b && a > c, b > c) {
+        (true, _) if x < 0.0 => (Face::Back, [z / x, y / x]),
+        (true, _) => (Face::Front, [y / x, z / x]),
+        // Were a larger than b, it would be larger than c too.
+        (_, true) if y < 0.0 => (Face::Left, [z / y, -x / y]),
+        (_, true) => (Face::Right, [-x / y, z / y]),
+        _ if z < 0.0 => (Face::Bottom, [-y / z, -x / z]),
+        _ => (Face::Top, [-x / z, -y / z]),
+    };
+    leaf(face, uv.map(quadratic))
+}
+
+/// S2's quadratic transformation, with its rounding, which [`S2Quadratic`](crate::cube::S2Quadratic) betters.
+fn quadratic(u: f64) -> f64 {
+    let root = 0.5 * Real::sqrt(1.0 + 3.0 * u.abs());
+    if u >= 0.0 { root } else { 1.0 - root }
+}
+
+/// The leaf of (s, t) of S2's on a face (`S2::STtoIJ`).
+fn leaf(face: Face, st: [f64; 2]) -> Key<Hilbert> {
+    const COUNT: u32 = 1 << Tile::MAX_LEVEL;
+    let [i, j] = st.map(|s| ((s * f64::from(COUNT)) as u32).min(COUNT - 1));
+    Tile::of_numbering(Numbering::S2, face, Tile::MAX_LEVEL, [i, j]).into()
+}
+
+impl Tile {
+    /// The face's number, the column and the row by another's numbering and axes: columns to the right of its axes and rows along its second
+    /// axis, which is downward in [`OpenGl`](Numbering::OpenGl).
+    ///
+    /// ```
+    /// use terrella::cube::{Face, Numbering};
+    /// use terrella::terrain::Tile;
+    /// let tile = Tile::new(Face::Top, 3, 5, 2)?;
+    /// assert_eq!(tile.to_numbering(Numbering::S2), (2, 2, 2));
+    /// assert_eq!(tile.to_numbering(Numbering::OpenGl), (2, 5, 5));
+    /// assert_eq!(Tile::from_numbering(Numbering::S2, 2, 3, 2, 2), Ok(tile));
+    /// # Ok::<(), terrella::terrain::InvalidTile>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    pub const fn to_numbering(self, numbering: Numbering) -> (u8, u32, u32) {
+        let [i, j] = numbering.to_square(self.face, self.last(), [self.i, self.j]);
+        (numbering.number(self.face), i, j)
+    }
+
+    /// The tile of a face's number, a level, a column and a row by another's numbering and axes.
+    ///
+    /// # Errors
+    /// [`InvalidNumberedTile`] for a face above 5, a level above 30, or a column or row that the level does not have.
+    #[inline]
+    pub fn from_numbering(
+        numbering: Numbering,
+        face: u8,
+        level: u8,
+        i: u32,
+        j: u32,
+    ) -> Result<Self, InvalidNumberedTile> {
+        let face = numbering.face(face).map_err(InvalidNumberedTile::Face)?;
+        Self::new(face, level, i, j).map_err(InvalidNumberedTile::Tile)?;
+        Ok(Self::of_numbering(numbering, face, level, [i, j]))
+    }
+
+    /// For indices known to be in range.
+    #[inline(always)]
+    const fn of_numbering(numbering: Numbering, face: Face, level: u8, square: [u32; 2]) -> Self {
+        let root = Self::within(face, level, 0, 0);
+        let [i, j] = numbering.from_square(face, root.last(), square);
+        Self::within(face, level, i, j)
+    }
+}
+
+/// Why [`Tile::from_numbering`] refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum InvalidNumberedTile {
+    /// No face has the number.
+    Face(InvalidFace),
+    /// The level is above 30, or has no such column or row.
+    Tile(InvalidTile),
+}
+
+impl core::fmt::Display for InvalidNumberedTile {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Face(face) => face.fmt(f),
+            Self::Tile(tile) => tile.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for InvalidNumberedTile {}

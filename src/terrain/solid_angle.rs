@@ -1,0 +1,34 @@
+use super::Tile;
+use super::vector::{cross, difference, dot};
+use crate::Real;
+use crate::cube::CubeProjection;
+use crate::math::atan2;
+
+impl Tile {
+    /// The solid angle in steradians between the great circles through the corners, counter-clockwise.
+    ///
+    /// That is the tile's own where the projection draws the lines of a face as great circles, as [`S2Quadratic`](crate::cube::S2Quadratic) and all
+    /// that go by [`x` and `y` apart](crate::cube::Projection) do: S2's `ExactArea`. Multiplied by the square of a radius it is an area on the sphere.
+    ///
+    /// Worst error TODO
+    ///
+    /// ```
+    /// use terrella::cube::{Face, S2Quadratic};
+    /// use terrella::terrain::Tile;
+    /// let face: f64 = Tile::root(Face::Top).solid_angle(S2Quadratic);
+    /// assert!((face - 4.0 * std::f64::consts::PI / 6.0).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn solid_angle<T: Real>(self, projection: impl CubeProjection) -> T {
+        let [a, b, c, d] = self
+            .corners::<T>()
+            .map(|corner| projection.unproject(corner).to_array());
+        triangle(a, b, c) + triangle(a, c, d)
+    }
+}
+
+/// Van Oosterom & Strackee (IEEE Trans. Biomed. Eng. 30, 1983); the triple product from differences, which are small where the triangle is.
+fn triangle<T: Real>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
+    let volume = dot(a, cross(difference(b, a), difference(c, a)));
+    T::of(2.0) * atan2(volume, T::ONE + dot(a, b) + dot(b, c) + dot(c, a))
+}
