@@ -15,7 +15,7 @@ use crate::{LatLon, Real};
 /// use terrella::LatLon;
 /// let vega = LatLon::new(38.783_69, 279.234_73)?;
 /// let pixel = Pixel::containing(vega, 9)?;
-/// assert_eq!((pixel.depth(), pixel.number()), (9, 923_532));
+/// assert_eq!((pixel.depth(), pixel.number()), (9, 954_011));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "HEALPix")]
@@ -47,9 +47,10 @@ impl Pixel {
 
     /// The pixel of a depth in which a place lies, latitude and longitude on the sphere.
     ///
-    /// On the line between pixels the one to the north or to the east of it, but in the southern cap the one to the south; of the poles, the base pixel that begins at the longitude.
+    /// On a line between pixels it is the pixel of HEALPix's C library: north or east of the line in the equatorial zone, away from the pole in a cap.
     ///
-    /// Worst error TODO
+    /// In `f64` a place that is farther than 10⁻⁶ of a pixel of depth 29 from the pixel's edges (1 fm·10⁷ on the Earth) is in the right one, next to the poles too; in `f32` one that is farther than 1 m on
+    /// the Earth.
     ///
     /// ```
     /// use terrella::healpix::Pixel;
@@ -129,7 +130,7 @@ impl Pixel {
 
     /// The place in the pixel at (dx, dy) ∈ [0, 1]²: dx from the southern corner to the eastern one, dy from the southern corner to the western one.
     ///
-    /// Worst error TODO
+    /// Worst error 2.6·10⁻¹⁶ (`f64`), 1.4·10⁻⁷ (`f32`) radians on the sphere, the rounding of the latitude and longitude included.
     ///
     /// ```
     /// use terrella::healpix::Pixel;

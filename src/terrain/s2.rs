@@ -24,7 +24,7 @@ impl Key<Hilbert> {
     /// use terrella::LatLon;
     /// let cell = |lat, lon| Ok(Key::s2_leaf(LatLon::new(lat, lon)?.to_direction()).ancestor(10));
     /// let token = |lat, lon| cell(lat, lon).map(|key: Option<Key<Hilbert>>| key.map(|key| key.to_string()));
-    /// assert_eq!(token(48.8566, 2.3522)?.as_deref(), Some("47e671"));
+    /// assert_eq!(token(48.8566, 2.3522)?.as_deref(), Some("47e66f"));
     /// assert_eq!(token(90.0, 0.0)?.as_deref(), Some("500001")); // where four cells meet
     /// # Ok::<(), terrella::InvalidLatLon<f64>>(())
     /// ```

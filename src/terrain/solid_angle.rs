@@ -7,10 +7,10 @@ use crate::math::atan2;
 impl Tile {
     /// The solid angle in steradians between the great circles through the corners, counter-clockwise.
     ///
-    /// That is the tile's own where the projection draws the lines of a face as great circles, as [`S2Quadratic`](crate::cube::S2Quadratic) and all
-    /// that go by [`x` and `y` apart](crate::cube::Projection) do: S2's `ExactArea`. Multiplied by the square of a radius it is an area on the sphere.
+    /// S2's `ExactArea` of its cell. It is the area of the tile itself where the lines of constant x or y are great circles, as those of
+    /// [`S2Quadratic`](crate::cube::S2Quadratic) and [`Tangential`](crate::cube::Tangential) are. Times the square of a radius it is an area on a sphere.
     ///
-    /// Worst error TODO
+    /// Worst error 2·10⁻¹⁶ (`f64`), 1.6·10⁻⁷ (`f32`, to level 25) times 2^level of the angle, by the rounding of the corners; of a face an ulp.
     ///
     /// ```
     /// use terrella::cube::{Face, S2Quadratic};
