@@ -1,5 +1,8 @@
 use super::Ellipsoid;
-use crate::math::{atan2, atan2_degrees, cbrt, max, min, select, sin_cos, sin_cos_degrees_with_rest};
+use crate::math::{
+    atan2, atan2_degrees, cbrt, hypotenuse, max, min, product, product_of_any, select, sin_cos,
+    sin_cos_degrees_with_rest, sum,
+};
 use crate::position::angle_degrees;
 use crate::{Direction, Ecef, Geodetic, LatLon, Real};
 
@@ -249,45 +252,9 @@ fn astroid<T: Real>(p: T, q: T) -> T {
     sum / ((sum + w * w).sqrt() + w)
 }
 
-/// √(x² + y²) and what its rounding lost.
-#[inline(always)]
-fn hypotenuse<T: Real>(x: T, y: T) -> (T, T) {
-    let (xx, xx_lost) = product(x, x);
-    let (yy, yy_lost) = product(y, y);
-    let (square, square_lost) = sum(xx, yy);
-    let root = square.sqrt();
-    let (back, back_lost) = product(root, root);
-    let rest = (square - back) + (square_lost + xx_lost + yy_lost - back_lost);
-    (root, select(root > T::ZERO, rest / (root + root), T::ZERO))
-}
-
 /// The product of two numbers, each a sum of two.
 #[inline(always)]
 fn long_product<T: Real>((value, low): (T, T), (factor, rest): (T, T)) -> T {
     let (high, rounding) = product_of_any(value, factor);
     high + (rounding + (low * factor + value * rest))
-}
-
-/// a + b as a rounded sum and what the rounding lost.
-#[inline(always)]
-fn sum<T: Real>(a: T, b: T) -> (T, T) {
-    let sum = a + b;
-    let part = sum - a;
-    let lost = (a - (sum - part)) + (b - part);
-    (sum, lost)
-}
-
-/// a·b as a rounded product and what the rounding lost, for numbers far from the largest.
-#[inline(always)]
-fn product<T: Real>(a: T, b: T) -> (T, T) {
-    let product = a * b;
-    let ((ah, al), (bh, bl)) = (a.split(), b.split());
-    (product, ((ah * bh - product) + (ah * bl + al * bh)) + al * bl)
-}
-
-/// The same for any numbers; nothing is kept where splitting overflows.
-#[inline(always)]
-fn product_of_any<T: Real>(a: T, b: T) -> (T, T) {
-    let (product, lost) = product(a, b);
-    (product, select(lost.is_finite(), lost, T::ZERO))
 }

@@ -5,8 +5,9 @@ mod offset;
 
 pub use axes::{Aer, Enu, InvalidEnu, Ned};
 pub use offset::GeodeticOffset;
+use offset::LongOffset;
 
-use crate::math::{select, sin_cos_degrees};
+use crate::math::{either, select, sin_cos_degrees, sin_cos_degrees_with_rest, sum};
 use crate::{Direction, Ecef, Ellipsoid, Geodetic, InvalidEcef, Real};
 
 /// The axes east, north and up (along the ellipsoid's normal) about an origin, built once.
@@ -198,31 +199,17 @@ impl<T: Real> LocalFrame<T> {
     #[must_use]
     #[inline]
     pub fn geodetic_to_enu(&self, position: Geodetic<T>) -> Enu<T> {
-        let (two, half) = (T::of(2.0), T::of(0.5));
-        let (sin1, cos1) = (self.sin, self.cos);
-        let (sin2, cos2) = sin_cos_degrees(position.lat());
-        let (sh, ch) = sin_cos_degrees((position.lat() - self.origin.lat()) * half);
-        let (sin_lat, versin_lat) = (two * sh * ch, two * sh * sh);
-        let (sh, ch) = sin_cos_degrees(turn(self.origin.lon(), position.lon()) * half);
-        let (sin_lon, versin_lon) = (two * sh * ch, two * sh * sh);
-        let (a, e2) = (self.ellipsoid.a(), self.ellipsoid.e2());
-        // N = a/W; sin φ₂ − sin φ₁ and from it N₂ − N₁ without cancellation.
-        let w1 = (T::ONE - e2 * sin1 * sin1).sqrt();
-        let w2 = (T::ONE - e2 * sin2 * sin2).sqrt();
-        let rise = cos1 * sin_lat - sin1 * versin_lat;
-        let n2 = a / w2;
-        let growth = n2 * e2 * rise * (sin1 + sin2) / (w1 * (w1 + w2));
-        // e²(N₂ sin φ₂ − N₁ sin φ₁)
-        let shift = e2 * (n2 * rise + sin1 * growth);
-        let along = n2 + position.height();
-        let rho = along * cos2;
-        let bulge = rho * versin_lon;
-        Enu {
-            east: rho * sin_lon,
-            north: along * sin_lat + sin1 * bulge - cos1 * shift,
-            up: (position.height() - self.origin.height())
-                + (growth - (along * versin_lat + cos1 * bulge + sin1 * shift)),
-        }
+        let difference = |to: T, from: T| sum(to, -from);
+        let (lon, lon_lost) = difference(position.lon(), self.origin.lon());
+        // Exact: the two are within a factor of two of each other.
+        let once_round = either(lon.abs() > T::of(180.0), T::of(360.0).copysign(lon));
+        let offset = LongOffset {
+            lat: difference(position.lat(), self.origin.lat()),
+            lon: (lon - once_round, lon_lost),
+            height: difference(position.height(), self.origin.height()),
+        };
+        let height = (position.height(), T::ZERO);
+        self.seen(offset, height, Some(sin_cos_degrees_with_rest(position.lat())))
     }
 
     /// [`Self::geodetic_to_enu`] as north, east, down.

@@ -1,5 +1,9 @@
-use super::{Enu, InvalidEnu, LocalFrame};
-use crate::{Aer, Geodetic, Ned, Real};
+use core::f64::consts::PI;
+
+use super::{Aer, Enu, InvalidEnu, LocalFrame, Ned, turn};
+use crate::math::{atan2_degrees, either, max, min, product_of_any, select, sin_cos_degrees_with_rest, sum};
+use crate::position::angle_degrees;
+use crate::{Geodetic, LatLon, Real};
 
 /// How far a geodetic position is from an origin: in latitude and longitude, in degrees, and in height, in metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,21 +18,47 @@ pub struct GeodeticOffset<T> {
     pub height: T,
 }
 
+/// A number and what its rounding lost.
+type Long<T> = (T, T);
+
+/// Latitude and longitude from an origin in degrees, and height, each with what its rounding lost.
+#[derive(Clone, Copy)]
+pub(super) struct LongOffset<T> {
+    pub(super) lat: Long<T>,
+    pub(super) lon: Long<T>,
+    pub(super) height: Long<T>,
+}
+
 impl<T: Real> LocalFrame<T> {
     /// TODO
     ///
     /// # Errors
     /// [`InvalidEnu`] if a component is infinite or NaN.
     pub fn enu_to_geodetic(&self, enu: Enu<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
-        let Enu { east, north, up } = enu;
-        let ecef = self.from_enu(enu).map_err(|_| InvalidEnu { east, north, up })?;
-        Ok(self.ellipsoid.to_geodetic(ecef))
+        let Some(offset) = self.long_offset(enu) else {
+            return self.through_earth_axes(enu);
+        };
+        let rounded = |origin: T, (offset, lost): Long<T>| {
+            let (sum, sum_lost) = sum(origin, offset);
+            (sum, sum_lost + lost)
+        };
+        let (lat, lat_lost) = rounded(self.origin.lat(), offset.lat);
+        let (lon, lon_lost) = rounded(self.origin.lon(), offset.lon);
+        let (height, height_lost) = rounded(self.origin.height(), offset.height);
+        let within = |angle: T, limit: T| max(min(angle, limit), -limit);
+        let half_circle = T::of(180.0);
+        // Exact: the two are within a factor of two of each other.
+        let once_round = either(lon.abs() > half_circle, T::of(360.0).copysign(lon));
+        let lat = within(lat + lat_lost, T::of(90.0));
+        let lon = within((lon - once_round) + lon_lost, half_circle);
+        Ok(Geodetic::within(LatLon::within(lat, lon), height + height_lost))
     }
 
     /// [`Self::enu_to_geodetic`] from north, east, down.
     ///
     /// # Errors
     /// [`InvalidEnu`] if a component is infinite or NaN.
+    #[inline]
     pub fn ned_to_geodetic(&self, ned: Ned<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
         self.enu_to_geodetic(ned.into())
     }
@@ -37,6 +67,7 @@ impl<T: Real> LocalFrame<T> {
     ///
     /// # Errors
     /// [`InvalidEnu`] if azimuth, elevation or range is infinite or NaN, with the components that come of them.
+    #[inline]
     pub fn aer_to_geodetic(&self, aer: Aer<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
         self.enu_to_geodetic(aer.into())
     }
@@ -46,11 +77,214 @@ impl<T: Real> LocalFrame<T> {
     /// # Errors
     /// [`InvalidEnu`] if a component is infinite or NaN.
     pub fn enu_to_offset(&self, enu: Enu<T>) -> Result<GeodeticOffset<T>, InvalidEnu<T>> {
-        let there = self.enu_to_geodetic(enu)?;
+        if let Some(offset) = self.long_offset(enu) {
+            return Ok(GeodeticOffset {
+                lat: rounded(offset.lat),
+                lon: rounded(offset.lon),
+                height: rounded(offset.height),
+            });
+        }
+        let there = self.through_earth_axes(enu)?;
         Ok(GeodeticOffset {
             lat: there.lat() - self.origin.lat(),
-            lon: super::turn(self.origin.lon(), there.lon()),
+            lon: turn(self.origin.lon(), there.lon()),
             height: there.height() - self.origin.height(),
         })
     }
+
+    /// TODO
+    #[must_use]
+    #[inline]
+    pub fn offset_to_enu(&self, offset: GeodeticOffset<T>) -> Enu<T> {
+        let GeodeticOffset { lat, lon, height } = offset;
+        let long = LongOffset {
+            lat: (lat, T::ZERO),
+            lon: (lon, T::ZERO),
+            height: (height, T::ZERO),
+        };
+        self.seen(long, sum(self.origin.height(), height), None)
+    }
+
+    /// A position by its offset, its height, and sine and cosine of its latitude if those are known better than by the offset.
+    #[inline(always)]
+    pub(super) fn seen(&self, offset: LongOffset<T>, height: Long<T>, latitude: Option<[(T, T); 2]>) -> Enu<T> {
+        let (zero, one) = (T::ZERO, T::ONE);
+        let (a, e2) = (self.ellipsoid.a(), self.ellipsoid.e2());
+        let [(s, c), (s_lost, c_lost)] = sin_cos_degrees_with_rest(self.origin.lat());
+        let (sin1, cos1) = ((s, s_lost), (c, c_lost));
+        let (sin_lat, versin_lat) = sine_and_versine(offset.lat);
+        let (sin_lon, versin_lon) = sine_and_versine(offset.lon);
+        // N = a/W; sin φ₂ − sin φ₁ and from it N₂ − N₁ without cancellation.
+        let rise = c * sin_lat.0 - s * versin_lat.0;
+        let (s2, cos2) = match latitude {
+            Some([(s2, c2), (_, c2_lost)]) => (s2, (c2, c2_lost)),
+            None => {
+                let fall = long_sum(long_product(sin1, sin_lat), long_product(cos1, versin_lat));
+                (s + rise, long_difference(cos1, fall))
+            }
+        };
+        let w1 = (one - e2 * s * s).sqrt();
+        let w2 = (one - e2 * s2 * s2).sqrt();
+        let n2 = a / w2;
+        let growth = n2 * e2 * rise * (s + s2) / (w1 * (w1 + w2));
+        // e²(N₂ sin φ₂ − N₁ sin φ₁)
+        let shift = (e2 * (n2 * rise + s * growth), zero);
+        let along = long_sum(
+            long_sum((a, zero), height),
+            (a * e2 * s2 * s2 / (w2 * (one + w2)), zero),
+        );
+        let rho = long_product(along, cos2);
+        let bulge = long_product(rho, versin_lon);
+        let north = long_sum(long_product(along, sin_lat), long_product(sin1, bulge));
+        let fall = long_sum(long_product(along, versin_lat), long_product(cos1, bulge));
+        let up = long_difference(offset.height, long_sum(fall, long_product(sin1, shift)));
+        Enu {
+            east: rounded(long_product(rho, sin_lon)),
+            north: rounded(long_difference(north, long_product(cos1, shift))),
+            up: rounded(long_sum(up, (growth, zero))),
+        }
+    }
+
+    /// For points of outer space and of the Earth's inside, of which the way through Earth axes keeps as much.
+    #[cold]
+    #[inline(never)]
+    fn through_earth_axes(&self, enu: Enu<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
+        let Enu { east, north, up } = enu;
+        let ecef = self.from_enu(enu).map_err(|_| InvalidEnu { east, north, up })?;
+        Ok(self.ellipsoid.to_geodetic(ecef))
+    }
+
+    /// The offset of a point; none within half of a of the Earth's middle or of a centre of curvature, farther than 1000 a, and where a
+    /// component is not finite.
+    #[inline(always)]
+    fn long_offset(&self, Enu { east, north, up }: Enu<T>) -> Option<LongOffset<T>> {
+        let (zero, one) = (T::ZERO, T::ONE);
+        let (a, e2) = (self.ellipsoid.a(), self.ellipsoid.e2());
+        let degrees = T::of(180.0 / PI);
+        let [(s, c), (s_lost, c_lost)] = sin_cos_degrees_with_rest(self.origin.lat());
+        // From the axis along the normal: N + h.
+        let w1 = (one - e2 * s * s).sqrt();
+        let (base, base_lost) = sum(a, self.origin.height());
+        let (normal, normal_lost) = sum(base, a * e2 * s * s / (w1 * (one + w1)));
+        let normal_lost = normal_lost + base_lost;
+
+        // The meridian plane of the origin: the distance from the axis there.
+        let radius = long_product((normal, normal_lost), (c, c_lost));
+        let outward = long_difference(
+            long_product((up, zero), (c, c_lost)),
+            long_product((north, zero), (s, s_lost)),
+        );
+        let (ahead, ahead_lost) = long_sum(radius, outward);
+        let rho = (ahead * ahead + east * east).sqrt();
+        let lon = angle_degrees(east, ahead);
+        let cross = across((east, zero), (ahead, ahead_lost), lon);
+        let lon = (lon, degrees * cross / select(rho > zero, rho, one));
+
+        // The meridian plane of the point is farther from the axis by a bulge.
+        let bulge = excess((east, zero), (ahead, ahead_lost), rho);
+        let northward = long_difference((north, zero), long_product((s, s_lost), bulge));
+        let upward = long_sum((up, zero), long_product((c, c_lost), bulge));
+
+        // Where the point's normal meets the axis, from where the origin's does: e²(N₂ sin φ₂ − N₁ sin φ₁), and N₂ − N₁.
+        let axis = |(sin, cos): (T, T)| {
+            let rise = c * sin - s * sin * sin / (one + cos);
+            let rise = select(cos > zero, rise, c * sin - s * (one - cos));
+            let s2 = s + rise;
+            let w2 = (one - e2 * s2 * s2).sqrt();
+            let n2 = a / w2;
+            let growth = n2 * e2 * rise * (s + s2) / (w1 * (w1 + w2));
+            (e2 * (n2 * rise + s * growth), growth, n2 / (w2 * w2))
+        };
+        // The direction from there to the point is the point's normal: Newton's method for the angle between the two.
+        let unit = |(x, y): (T, T)| {
+            let length = (x * x + y * y).sqrt();
+            (x / length, y / length)
+        };
+        let newton = |(sin, cos): (T, T), slope: T, cross: T, distance: T| {
+            let c2 = c * cos - s * sin;
+            cross / (distance - e2 * slope * c2 * c2)
+        };
+        let mut normal2 = unit((northward.0, normal + upward.0));
+        for _ in 0..T::steps(3, 2) {
+            let (shift, _, slope) = axis(normal2);
+            let (x, y) = (northward.0 + c * shift, normal + upward.0 + s * shift);
+            let (sin, cos) = normal2;
+            let turned = newton(normal2, slope, x * cos - y * sin, (x * x + y * y).sqrt());
+            normal2 = unit((sin + turned * cos, cos - turned * sin));
+        }
+        let (sin, cos) = normal2;
+        let lat = atan2_degrees(sin, cos);
+        let (shift, growth, slope) = axis(normal2);
+        let x = long_sum(northward, product_of_any(c, shift));
+        let lift = long_sum(upward, product_of_any(s, shift));
+        let y = long_sum((normal, normal_lost), lift);
+        let distance = (x.0 * x.0 + y.0 * y.0).sqrt();
+        let cross = across(x, y, lat);
+        let lat = (lat, degrees * newton(normal2, slope, cross, distance));
+        // h₂ − h₁ = (distance − (N₁ + h₁)) − (N₂ − N₁)
+        let height = long_sum(long_sum(lift, (-growth, zero)), excess(x, y, distance));
+
+        let half = T::of(0.5) * a;
+        let reach = T::of(1000.0) * a;
+        let ordinary = (normal > half)
+            & (distance > half)
+            & (normal < reach)
+            & (distance < reach)
+            & (e2.abs() <= T::of(0.25))
+            & (rho < reach);
+        ordinary.then_some(LongOffset { lat, lon, height })
+    }
+}
+
+/// The cross product of (x, y), each of two numbers, and the direction of an angle in degrees: x cos − y sin.
+#[inline(always)]
+fn across<T: Real>(x: Long<T>, y: Long<T>, angle: T) -> T {
+    let [(sin, cos), (sin_lost, cos_lost)] = sin_cos_degrees_with_rest(angle);
+    let (cross, lost) = long_difference(long_product(x, (cos, cos_lost)), long_product(y, (sin, sin_lost)));
+    cross + lost
+}
+
+/// √(x² + y²) − y, of which the root is known but for its rounding: b with b(2y + b) = x².
+#[inline(always)]
+fn excess<T: Real>(x: Long<T>, y: Long<T>, root: T) -> Long<T> {
+    let (high, _) = x;
+    let ahead = y.0 > T::ZERO;
+    let excess = select(ahead, high * high / select(ahead, root + y.0, T::ONE), root - y.0);
+    let twice = long_sum((y.0 + y.0, y.1 + y.1), (excess, T::ZERO));
+    let (rest, lost) = long_difference(long_product(x, x), long_product((excess, T::ZERO), twice));
+    (excess, (rest + lost) / select(root > T::ZERO, root + root, T::ONE))
+}
+
+/// Sine and versed sine, 1 − cos, of an angle in degrees.
+#[inline(always)]
+fn sine_and_versine<T: Real>((angle, lost): Long<T>) -> (Long<T>, Long<T>) {
+    let half = T::of(0.5);
+    let [(s, c), (s_lost, c_lost)] = sin_cos_degrees_with_rest(angle * half);
+    let lost = lost * T::of(PI / 360.0);
+    let (sin, cos) = ((s, s_lost + c * lost), (c, c_lost - s * lost));
+    let twice = |(x, lost): Long<T>| (x + x, lost + lost);
+    (long_product(twice(sin), cos), long_product(twice(sin), sin))
+}
+
+/// Where a number leaves the scalar's range, nothing is known of what it lost.
+#[inline(always)]
+fn rounded<T: Real>((x, lost): Long<T>) -> T {
+    x + select(lost.is_finite(), lost, T::ZERO)
+}
+
+#[inline(always)]
+fn long_sum<T: Real>((a, a_lost): Long<T>, (b, b_lost): Long<T>) -> Long<T> {
+    let (sum, lost) = sum(a, b);
+    (sum, lost + (a_lost + b_lost))
+}
+
+#[inline(always)]
+fn long_difference<T: Real>(a: Long<T>, (b, b_lost): Long<T>) -> Long<T> {
+    long_sum(a, (-b, -b_lost))
+}
+
+#[inline(always)]
+fn long_product<T: Real>((a, a_lost): Long<T>, (b, b_lost): Long<T>) -> Long<T> {
+    let (product, lost) = product_of_any(a, b);
+    (product, lost + (a_lost * b + a * b_lost))
 }

@@ -27,6 +27,7 @@ mod log2;
 mod minimax;
 mod polynomial;
 mod remainder;
+mod rest;
 mod sin_cos;
 #[cfg(not(feature = "std"))]
 mod sqrt;
@@ -44,6 +45,7 @@ pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_S, QUAD_T, ROOT_IM, RO
 pub use polynomial::Polynomial;
 pub(crate) use polynomial::{halves, odd_unit};
 pub(crate) use remainder::remainder;
+pub(crate) use rest::{hypotenuse, product, product_of_any, sum};
 pub use sin_cos::{sin_cos, sin_cos_degrees};
 pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_eighth, sin_cos_quarter, sin_cos_small};
 #[cfg(not(feature = "std"))]
