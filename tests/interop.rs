@@ -170,8 +170,9 @@ mod glam {
 const _: () = {
     use ::defmt::Format;
     use terrella::cube::*;
-    use terrella::frame::{Aer, Enu, LocalFrame, Ned};
+    use terrella::frame::{Aer, Enu, GeodeticOffset, InvalidEnu, LocalFrame, Ned};
     use terrella::geodesic::*;
+    use terrella::healpix::{InvalidPixel, InvalidPixelPlace, OutsidePlane, Pixel};
     use terrella::latitude::*;
     use terrella::math::Polynomial;
     use terrella::terrain::*;
@@ -205,6 +206,10 @@ const _: () = {
         formats::<Enu<T>>();
         formats::<Ned<T>>();
         formats::<Aer<T>>();
+        formats::<GeodeticOffset<T>>();
+        formats::<InvalidEnu<T>>();
+        formats::<OutsidePlane<T>>();
+        formats::<InvalidPixelPlace<T>>();
         formats::<AnyMethod<T>>();
         formats::<GeodesicError<T>>();
         formats::<Inverse<T>>();
@@ -254,6 +259,9 @@ const _: () = {
     formats::<Hilbert>();
     formats::<Key<Morton>>();
     formats::<InvalidKey>();
+    formats::<InvalidNumberedTile>();
+    formats::<Pixel>();
+    formats::<InvalidPixel>();
     formats::<InvalidToken>();
     formats::<QuadCube>();
     formats::<Tangential>();

@@ -49,8 +49,8 @@ impl Pixel {
     ///
     /// On a line between pixels it is the pixel of HEALPix's C library: north or east of the line in the equatorial zone, away from the pole in a cap.
     ///
-    /// In `f64` a place that is farther than 10⁻⁶ of a pixel of depth 29 from the pixel's edges (1 fm·10⁷ on the Earth) is in the right one, next to the poles too; in `f32` one that is farther than 1 m on
-    /// the Earth.
+    /// A place farther from the pixel's edges than the rounding of its sine is in the right pixel: on the Earth 12 nm in `f64` and 0.6 m in `f32`. Next to a pole
+    /// no digit is lost.
     ///
     /// ```
     /// use terrella::healpix::Pixel;

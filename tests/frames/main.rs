@@ -7,6 +7,7 @@ mod accuracy;
 mod extremes;
 mod local;
 mod nearest;
+mod offset;
 mod round_trip;
 #[path = "../laws/nearest.rs"]
 mod search;

@@ -9,6 +9,7 @@ use terrella::cube::{
     CubeMap, CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Numbering, Projection,
 };
 use terrella::distortion::{Ground, Singular};
+use terrella::frame::InvalidEnu;
 use terrella::geodesic::{
     Andoyer, AndoyerSecond, AnyMethod, Area, Bowring, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Karney,
     Method, Vincenty,
@@ -234,6 +235,21 @@ fn geodetic<T: Scalar>(bytes: &mut Bytes<'_>) {
             finite && point.to_array().iter().all(|v| v.is_finite()),
             "{enu:?}: {point:?}"
         );
+    }
+    match frame.enu_to_geodetic(enu) {
+        Ok(there) => {
+            let (lat, lon) = (there.lat(), there.lon());
+            assert!(
+                lat.abs() <= T::of(90.0) && lon.abs() <= T::of(180.0),
+                "{enu:?}: {there:?}"
+            );
+            assert!(finite && there.height().is_finite(), "{enu:?}: {there:?}");
+        }
+        Err(why @ InvalidEnu { east, north, up }) => {
+            assert!(same(east, x) && same(north, y) && same(up, z), "{why:?}");
+            assert!(!finite || frame.from_enu(enu).is_err(), "{why:?}");
+            says(why, z);
+        }
     }
 }
 

@@ -271,6 +271,26 @@ fn frames<T: Scalar>(bytes: &mut Bytes<'_>) {
         "{}: {target:?} {direct:?} {seen:?}",
         context()
     );
+    // And back: by angles, and their differences from the origin.
+    let there = frame.enu_to_geodetic(enu).unwrap();
+    let through = apart(
+        earth.to_ecef(there).to_array().map(Into::into),
+        point.to_array().map(Into::into),
+    );
+    assert!(
+        through <= claimed + rounding + 4.0 * epsilon * range,
+        "{}: {there:?} {target:?}",
+        context()
+    );
+    let back = frame.offset_to_enu(frame.enu_to_offset(enu).unwrap());
+    // Deep in the Earth the way is through Earth axes.
+    let deep = target.height() < T::of(-3e6);
+    let allowed = 2.5 * epsilon * if deep { range + 1.3e7 } else { range } + least;
+    assert!(
+        apart(components(back), components(enu)) <= allowed,
+        "{}: {back:?}",
+        context()
+    );
 }
 
 /// Azimuth, elevation and range of a vector of any size, and back.

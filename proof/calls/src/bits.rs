@@ -1,6 +1,7 @@
 use terrella::cube::{Corner, Edge, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Neighbour};
 use terrella::distortion::texture::Anisotropic;
 use terrella::distortion::{Jacobian, Singular, Statistic, Survey, Tissot};
+use terrella::frame::{GeodeticOffset, InvalidEnu};
 use terrella::geodesic::{Direct, GeodesicError, Inverse, LinePoint, Solution};
 use terrella::latitude::{InvalidLatitude, UnsupportedFlattening};
 use terrella::{
@@ -140,6 +141,8 @@ parts! {
     Ellipsoid |e| (Ellipsoid::a(*e), Ellipsoid::f(*e));
     Enu |p| [p.east, p.north, p.up];
     Ned |p| [p.north, p.east, p.down];
+    GeodeticOffset |p| [p.lat, p.lon, p.height];
+    InvalidEnu |why| [why.east, why.north, why.up];
     Aer |p| [p.azimuth, p.elevation, p.range];
     FacePoint |p| (FacePoint::face(*p), FacePoint::x(*p), FacePoint::y(*p));
     Inverse |line| [line.distance, line.azimuth1, line.azimuth2];

@@ -1,3 +1,4 @@
+use terrella::frame::GeodeticOffset;
 use terrella::{Aer, Ellipsoid, Enu, LocalFrame, Ned};
 
 use crate::{Arguments, Scalar, Visitor};
@@ -57,6 +58,36 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     });
     visitor.function::<T, _, _>("LocalFrame::geodetic_to_aer", Arguments::geodetic::<T>, |place| {
         LocalFrame::geodetic_to_aer(&frame, place)
+    });
+    visitor.function::<T, _, _>("LocalFrame::enu_to_geodetic", three, |parts| {
+        LocalFrame::enu_to_geodetic(&frame, enu(parts))
+    });
+    visitor.function::<T, _, _>("LocalFrame::ned_to_geodetic", three, |parts| {
+        LocalFrame::ned_to_geodetic(&frame, Ned::from(enu(parts)))
+    });
+    visitor.function::<T, _, _>("LocalFrame::aer_to_geodetic", three, |[azimuth, elevation, range]| {
+        let (azimuth, elevation) = (azimuth * T::of(180.0), elevation * T::of(90.0));
+        let range = T::ONE / range;
+        let aer = Aer {
+            azimuth,
+            elevation,
+            range,
+        };
+        LocalFrame::aer_to_geodetic(&frame, aer)
+    });
+    visitor.function::<T, _, _>("LocalFrame::enu_to_offset", three, |parts| {
+        // As far as the other side of the Earth, where the way is another.
+        let Enu { east, north, up } = enu(parts);
+        let far = Enu {
+            east: east * T::of(64.0),
+            north: north * T::of(64.0),
+            up: up * T::of(64.0),
+        };
+        [enu(parts), far].map(|enu| LocalFrame::enu_to_offset(&frame, enu))
+    });
+    visitor.function::<T, _, _>("LocalFrame::offset_to_enu", three, |[lat, lon, height]| {
+        let offset = GeodeticOffset { lat, lon, height };
+        LocalFrame::offset_to_enu(&frame, offset)
     });
     visitor.function::<T, _, _>("LocalFrame::vector_to_enu", three, |vector| {
         LocalFrame::vector_to_enu(&frame, vector)

@@ -13,6 +13,7 @@ mod cube;
 mod distortion;
 mod frame;
 mod geodesic;
+mod healpix;
 mod latitude;
 mod math;
 mod position;
@@ -155,6 +156,7 @@ pub fn every_in<T: Scalar, V: Visitor>(visitor: &mut V) {
     cube::show::<T, V>(visitor);
     distortion::show::<T, V>(visitor);
     geodesic::show::<T, V>(visitor);
+    healpix::show::<T, V>(visitor);
     batch::show::<T, V>(visitor);
     scene::show::<T, V>(visitor);
     #[cfg(feature = "terrain")]

@@ -1,9 +1,9 @@
-use terrella::cube::{Corner, CubeMap, Edge, FacePoint, Projection};
+use terrella::cube::{Corner, CubeMap, Edge, FacePoint, Numbering, Projection};
 use terrella::terrain::{
     self, Adjacent, Along, Around, BoundingSphere, Camera, Curve, Detail, Diagonal, Enclosure, Flatness, Heights,
-    Hilbert, Horizon, InvalidCamera, InvalidDetail, InvalidHeights, InvalidKey, InvalidPatch, InvalidPlace,
-    InvalidTile, InvalidToken, Key, Morton, OrientedBox, Patch, Patches, Selection, Series, Split, Symmetry, Tile,
-    Vertices,
+    Hilbert, Horizon, InvalidCamera, InvalidDetail, InvalidHeights, InvalidKey, InvalidNumberedTile, InvalidPatch,
+    InvalidPlace, InvalidTile, InvalidToken, Key, Morton, OrientedBox, Patch, Patches, Selection, Series, Split,
+    Symmetry, Tile, Vertices,
 };
 use terrella::{Direction, Ecef, Ellipsoid, Shift, Shifted};
 
@@ -22,6 +22,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     neighbours::<T, V>(visitor);
     keys::<T, V, Morton>(visitor, "Morton");
     keys::<T, V, Hilbert>(visitor, "Hilbert");
+    numbered::<T, V>(visitor);
     heights::<T, V>(visitor);
     for &projection in Projection::ALL {
         boxes::<T, V>(visitor, projection);
@@ -34,6 +35,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
             patches(visitor, projection);
         }
         splits(visitor);
+        s2_cells(visitor);
     }
 }
 
@@ -128,6 +130,44 @@ fn keys<T: Scalar, V: Visitor, C: Curve>(visitor: &mut V, name: &'static str) {
     };
     visitor.visit::<T, _, _>(name("Key, from a token"), token, |token| {
         token.parse::<Key<C>>().map(Tile::from)
+    });
+}
+
+fn numbered<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let draw = |arguments: &mut Arguments| (tile::<T>(arguments), arguments.below(7) as u8);
+    let numberings = [
+        (Numbering::S2, "S2"),
+        (Numbering::OpenGl, "OpenGL"),
+        (Numbering::Fits, "FITS"),
+    ];
+    for (numbering, name) in numberings {
+        let name = Function::of("Tile::to_numbering", name);
+        visitor.visit::<T, _, _>(name, draw, |(tile, face)| {
+            let (number, i, j) = Tile::to_numbering(tile, numbering);
+            let back = [number, face].map(|face| Tile::from_numbering(numbering, face, Tile::level(tile), i, j));
+            ([i, j], back)
+        });
+    }
+    visitor.function::<T, _, _>("Tile::around_nearest", draw, |(tile, level)| {
+        Tile::around_nearest(tile, level)
+    });
+    for &projection in Projection::ALL {
+        let name = Function::of("Tile::solid_angle", Projection::name(projection));
+        visitor.visit::<T, _, _>(name, draw, |(tile, _)| Tile::solid_angle::<T>(tile, projection));
+    }
+}
+
+fn s2_cells<V: Visitor>(visitor: &mut V) {
+    visitor.function::<f64, _, _>("Key::s2_leaf", Arguments::direction::<f64>, |direction| {
+        let leaf = Key::s2_leaf(direction);
+        (Key::bits(leaf), Key::s2_edge_neighbours(leaf).map(Key::bits))
+    });
+    visitor.function::<f64, _, _>("Key::s2_leaf_of", Arguments::units::<f64, 3>, |vector| {
+        Key::s2_leaf_of(vector).map(Key::bits)
+    });
+    let draw = |arguments: &mut Arguments| (arguments.below(7) as u8, arguments.units::<f64, 2>());
+    visitor.function::<f64, _, _>("Key::s2_leaf_at", draw, |(face, [s, t])| {
+        Key::s2_leaf_at(face, [s.abs(), t]).map(Key::bits)
     });
 }
 
@@ -389,6 +429,10 @@ parts! {
         InvalidTile::Level(level) => (*level, None),
         InvalidTile::Column { level, i } => (*level, Some((false, *i))),
         InvalidTile::Row { level, j } => (*level, Some((true, *j))),
+    };
+    InvalidNumberedTile |why| match why {
+        InvalidNumberedTile::Face(face) => (Some(*face), None),
+        InvalidNumberedTile::Tile(tile) => (None, Some(*tile)),
     };
     InvalidToken |why| match why {
         InvalidToken::Length(length) => (Some(*length), None, None),

@@ -4,13 +4,18 @@ use super::{CubeProjection, Face, on_face};
 use crate::math::{atan, either, select, tan};
 use crate::{Direction, Real};
 
-/// HEALPix on a cube: equal-area, side faces for |sin φ| < ⅔ and polar faces of four triangles.
+/// rHEALPix: HEALPix on a cube, equal-area, side faces for |sin φ| < ⅔ and polar faces of four triangles.
+///
+/// The arrangement is that of rHEALPix (Gibb, Raichev & Speth 2013; PROJ's `rhealpix`), with each side face about longitude 0°, 90°, 180° or 270°, where
+/// rHEALPix and standard HEALPix with longitude 0 in the middle have theirs about 45°, 135°, 225° and 315°: it is theirs for longitudes 45° larger. The pixels of
+/// standard HEALPix are diamonds, and no tiles of these faces: they are in [`healpix`](crate::healpix).
 ///
 /// Górski et al. (2005), arranged as in Dimitrijević, Lambers & Rančić (2016) §4.7; the polar triangles are centred on
 /// longitudes 0°, 90°, 180°, 270°. The side faces are Lambert's cylindrical equal-area projection.
 ///
 /// On both kinds of face x or y is proportional to the longitude: from and to latitude and longitude it needs neither direction nor arc
 /// tangent of the longitude.
+#[doc(alias = "rHEALPix")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Healpix;

@@ -4,7 +4,7 @@ use crate::Real;
 /// The quadratic cube of the S2 library: u = x(2 + |x|)/3 in each coordinate.
 ///
 /// No transcendental function; area ratio 2.10. Faces and axes are this crate's: see [`Numbering`](crate::cube::Numbering) for
-/// those of S2.
+/// those of S2, and [`Key::s2_leaf`](crate::terrain::Key::s2_leaf) for S2's own cell of a direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct S2Quadratic;
