@@ -55,7 +55,7 @@ impl Pixel {
     /// ```
     /// use terrella::healpix::Pixel;
     /// use terrella::LatLon;
-    /// assert_eq!(Pixel::containing(LatLon::new(41.81, 0.0)?, 0)?.number(), 0);
+    /// assert_eq!(Pixel::containing(LatLon::new(41.81, 45.0)?, 0)?.number(), 0);
     /// assert_eq!(Pixel::containing(LatLon::new(0.0, 0.0)?, 0)?.number(), 4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -41,7 +41,7 @@ impl Key<Hilbert> {
     /// use terrella::terrain::Key;
     /// let cell = Key::s2_leaf_of([0.0, 1.0, 1.0])?;
     /// assert_eq!(cell.bits() >> 61, 2); // S2's face of the north
-    /// assert_eq!(Key::s2_leaf_of([0.5_f32, 0.25, 0.0].map(f64::from))?.ancestor(3).map(|key| key.to_string()).as_deref(), Some("13c"));
+    /// assert_eq!(Key::s2_leaf_of([0.5_f32, 0.25, 0.0].map(f64::from))?.ancestor(3).map(|key| key.to_string()).as_deref(), Some("174"));
     /// # Ok::<(), terrella::InvalidDirection<f64>>(())
     /// ```
     ///
