@@ -11,12 +11,8 @@ use fastrand::Rng;
 use proptest::prelude::*;
 use terrella::LatLon;
 use terrella::healpix::{self, InvalidPixel, Pixel};
+use testkit::Worst;
 use truth::{Row, Scalar, Truth};
-
-/// The larger; NaN stays.
-fn worse(worst: f64, error: f64) -> f64 {
-    if error <= worst { worst } else { error }
-}
 
 fn place_of<T: Scalar>(row: Row<'_>) -> LatLon<T> {
     LatLon::new(row.input("lat"), row.input("lon")).unwrap()
@@ -25,7 +21,7 @@ fn place_of<T: Scalar>(row: Row<'_>) -> LatLon<T> {
 /// How far a place is from the truth, in radians on the sphere.
 fn displacement<T: Scalar>(row: Row<'_>, place: LatLon<T>) -> f64 {
     let turn = row.error("lon", place.lon());
-    let turn = turn.min((turn - 360.0).abs()) * row.value("lat").to_radians().cos();
+    let turn = testkit::minimum(turn, (turn - 360.0).abs()) * row.value("lat").to_radians().cos();
     row.error("lat", place.lat()).hypot(turn).to_radians()
 }
 
@@ -45,8 +41,8 @@ fn pixels<T: Scalar>(depth: u8, share: f64) {
         let margin = if up == 0 {
             row.value("margin")
         } else {
-            let [x, y] = [rest(0), rest(1)].map(|rest| rest.min(last - rest));
-            x.min(y) / (last + 1.0)
+            let [x, y] = [rest(0), rest(1)].map(|rest| testkit::minimum(rest, last - rest));
+            testkit::minimum(x, y) / (last + 1.0)
         };
         if margin > share {
             let found = Pixel::containing(place_of::<T>(row), depth).unwrap();
@@ -73,12 +69,13 @@ fn places_are_in_their_pixels() {
 
 fn plane<T: Scalar>(claimed: f64) {
     let truth = Truth::read("healpix_pixels");
-    let mut worst = 0.0;
+    let mut worst = Worst::default();
     for row in truth.exact_in::<T>(&["lat", "lon"]) {
         let [x, y] = healpix::to_plane(place_of::<T>(row));
         let across = row.error("x", x);
-        worst = worse(worst, across.min((across - 8.0).abs()).hypot(row.error("y", y)));
+        worst.add(testkit::minimum(across, (across - 8.0).abs()).hypot(row.error("y", y)));
     }
+    let worst = worst.value();
     println!("to the plane, {}: {worst:e}", T::NAME);
     assert!(worst <= claimed, "{worst:e}");
 }
@@ -91,19 +88,20 @@ fn the_plane_is_as_accurate_as_claimed() {
 
 fn places<T: Scalar>(claimed: [f64; 2], exact: i32) {
     let truth = Truth::read("healpix_places");
-    let (mut worst, mut worst_back) = (0.0, 0.0);
+    let (mut worst, mut worst_back) = (Worst::default(), Worst::default());
     for row in truth.exact_in::<T>(&["dx", "dy"]) {
         let (depth, number) = (row.value("depth") as u8, row.text("pixel").parse().unwrap());
         let pixel = Pixel::new(depth, number).unwrap();
         let inside = [row.input::<T>("dx"), row.input::<T>("dy")];
         let place = pixel.place(inside).unwrap();
-        worst = worse(worst, displacement(row, place));
+        worst.add(displacement(row, place));
         if i32::from(depth) <= exact {
             let [x, y] = exact_plane(pixel, inside.map(Into::into)).map(|v| T::lift(v).unwrap());
             let place = healpix::from_plane([x, y]).unwrap();
-            worst_back = worse(worst_back, displacement(row, place));
+            worst_back.add(displacement(row, place));
         }
     }
+    let (worst, worst_back) = (worst.value(), worst_back.value());
     println!("places, {}: {worst:e}, from the plane {worst_back:e}", T::NAME);
     assert!(
         worst <= claimed[0] && worst_back <= claimed[1],

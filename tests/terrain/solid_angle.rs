@@ -36,7 +36,7 @@ fn integral(tile: Tile) -> f64 {
     let ends = |index: u32| {
         let low = 2.0 * f64::from(index) / across - 1.0;
         let [a, b] = [low.abs(), (low + 2.0 / across).abs()];
-        let [near, width] = [a.min(b), 2.0 / across];
+        let [near, width] = [testkit::minimum(a, b), 2.0 / across];
         (near * (2.0 + near) / 3.0, width * (2.0 + a + b) / 3.0)
     };
     let ((u, du), (v, dv)) = (ends(tile.i()), ends(tile.j()));
