@@ -55,7 +55,7 @@ impl Numbering {
 
     /// Column and row by this crate's axes.
     #[inline(always)]
-    pub(crate) const fn from_square(self, face: Face, last: u32, [i, j]: [u32; 2]) -> [u32; 2] {
+    pub(crate) const fn square_of(self, face: Face, last: u32, [i, j]: [u32; 2]) -> [u32; 2] {
         let up = if matches!(self, Self::OpenGl) { last - j } else { j };
         turned_square([i, up], last, 4 - self.turns(face))
     }

@@ -5,10 +5,13 @@ use crate::math::{atan2_degrees, either, max, min, product_of_any, select, sin_c
 use crate::position::angle_degrees;
 use crate::{Geodetic, LatLon, Real};
 
-/// How far a geodetic position is from an origin: in latitude and longitude, in degrees, and in height, in metres.
+/// How far a geodetic position is from an origin: in latitude and longitude, in degrees, and in height, in
+/// metres.
 ///
-/// Single precision rounds a latitude by up to 0.42 m and a longitude by up to 0.85 m on the Earth, but a difference from an origin by 2⁻²⁴ of itself: by 0.6 mm at 10 km.
-/// [`Plane::local`](crate::geodesic::Plane::local) and [`Scene::local`](crate::scene::Scene::local) take such differences.
+/// Single precision rounds a latitude by up to 0.42 m and a longitude by up to 0.85 m on the Earth, but a
+/// difference from an origin by 2⁻²⁴ of itself: by 0.6 mm at 10 km.
+/// [`Plane::local`](crate::geodesic::Plane::local) and [`Scene::local`](crate::scene::Scene::local) take such
+/// differences.
 ///
 /// ```
 /// use terrella::frame::GeodeticOffset;
@@ -47,13 +50,18 @@ pub(super) struct LongOffset<T> {
 impl<T: Real> LocalFrame<T> {
     /// The position that is so far east, north and up of the origin, without the rounding of Earth axes.
     ///
-    /// It is the nearest that the scalar has, but for 10⁻¹⁶ (`f64`), 6·10⁻⁸ (`f32`) of the distance: within 10 km on the Earth, 1 pm and 0.2 mm. That nearest one may be 0.8 nm (`f64`), 0.42 m (`f32`) away by its latitude
-    /// and twice as far by its longitude; [`enu_to_offset`](Self::enu_to_offset) has not that rounding.
+    /// It is the nearest that the scalar has, but for 10⁻¹⁶ (`f64`), 6·10⁻⁸ (`f32`) of the distance: within
+    /// 10 km on the Earth, 1 pm and 0.2 mm. That nearest one may be 0.8 nm (`f64`), 0.42 m (`f32`) away by
+    /// its latitude and twice as far by its longitude; [`enu_to_offset`](Self::enu_to_offset) has not that
+    /// rounding.
     ///
-    /// So it is at any distance, over a pole, over ±180° and on the other side of the planet, for an origin and a point above half of a from where their normals meet the axis (on the Earth, above −3000 km) and within
-    /// 1000 a, and |e²| ≤ ¼. Deeper and farther, and for other ellipsoids, the way is through Earth axes and has the errors of [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic).
+    /// So it is at any distance, over a pole, over ±180° and on the other side of the planet, for an origin
+    /// and a point above half of a from where their normals meet the axis (on the Earth, above −3000 km) and
+    /// within 1000 a, and |e²| ≤ ¼. Deeper and farther, and for other ellipsoids, the way is through Earth
+    /// axes and has the errors of [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic).
     ///
-    /// The meridian plane of the point is found from that of the origin, then the angle between the two normals by Newton's method, and the last step keeps what rounding loses.
+    /// The meridian plane of the point is found from that of the origin, then the angle between the two
+    /// normals by Newton's method, and the last step keeps what rounding loses.
     ///
     /// ```
     /// use terrella::{Ellipsoid, Enu, Geodetic, LatLon, LocalFrame};
@@ -98,17 +106,19 @@ impl<T: Real> LocalFrame<T> {
     /// [`Self::enu_to_geodetic`] from azimuth, elevation and range.
     ///
     /// # Errors
-    /// [`InvalidEnu`] if azimuth, elevation or range is infinite or NaN, with the components that come of them.
+    /// [`InvalidEnu`] if azimuth, elevation or range is infinite or NaN, with the components that come of
+    /// them.
     #[inline]
     pub fn aer_to_geodetic(&self, aer: Aer<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
         self.enu_to_geodetic(aer.into())
     }
 
-    /// The position that is so far east, north and up of the origin, by its differences from the origin: [`enu_to_geodetic`](Self::enu_to_geodetic) without the
-    /// rounding of a latitude and a longitude.
+    /// The position that is so far east, north and up of the origin, by its differences from the origin:
+    /// [`enu_to_geodetic`](Self::enu_to_geodetic) without the rounding of a latitude and a longitude.
     ///
-    /// Worst error 3·10⁻¹⁶ (`f64`), 1.7·10⁻⁷ (`f32`) of the distance, at any distance: the rounding of the three numbers, of which that of a longitude's difference near 180°, next to a pole, is the
-    /// largest. Deep points, far ones and other ellipsoids are as in [`enu_to_geodetic`](Self::enu_to_geodetic).
+    /// Worst error 3·10⁻¹⁶ (`f64`), 1.7·10⁻⁷ (`f32`) of the distance, at any distance: the rounding of the
+    /// three numbers, of which that of a longitude's difference near 180°, next to a pole, is the largest.
+    /// Deep points, far ones and other ellipsoids are as in [`enu_to_geodetic`](Self::enu_to_geodetic).
     ///
     /// # Errors
     /// [`InvalidEnu`] if a component is infinite or NaN, or the point is beyond the scalar's largest numbers.
@@ -128,9 +138,11 @@ impl<T: Real> LocalFrame<T> {
         })
     }
 
-    /// A position by its differences from the origin, seen from there. [`Ned`] and [`Aer`] go through `into()`.
+    /// A position by its differences from the origin, seen from there. [`Ned`] and [`Aer`] go through
+    /// `into()`.
     ///
-    /// Worst error 1.5·10⁻¹⁶ (`f64`), 10⁻⁷ (`f32`) of the distance, at any distance: within 10 km, 1.3 pm and 0.8 mm.
+    /// Worst error 1.5·10⁻¹⁶ (`f64`), 10⁻⁷ (`f32`) of the distance, at any distance: within 10 km, 1.3 pm and
+    /// 0.8 mm.
     #[must_use]
     #[inline]
     pub fn offset_to_enu(&self, offset: GeodeticOffset<T>) -> Enu<T> {
@@ -143,7 +155,8 @@ impl<T: Real> LocalFrame<T> {
         self.seen(long, sum(self.origin.height(), height), None)
     }
 
-    /// A position by its offset, its height, and sine and cosine of its latitude if those are known better than by the offset.
+    /// A position by its offset, its height, and sine and cosine of its latitude if those are known better
+    /// than by the offset.
     #[inline(always)]
     pub(super) fn seen(&self, offset: LongOffset<T>, height: Long<T>, latitude: Option<[(T, T); 2]>) -> Enu<T> {
         let (zero, one) = (T::ZERO, T::ONE);
@@ -183,7 +196,8 @@ impl<T: Real> LocalFrame<T> {
         }
     }
 
-    /// For points of outer space and of the Earth's inside, of which the way through Earth axes keeps as much.
+    /// For points of outer space and of the Earth's inside, of which the way through Earth axes keeps as
+    /// much.
     #[cold]
     #[inline(never)]
     fn through_earth_axes(&self, enu: Enu<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
@@ -192,8 +206,8 @@ impl<T: Real> LocalFrame<T> {
         Ok(self.ellipsoid.to_geodetic(ecef))
     }
 
-    /// The offset of a point; none within half of a of the Earth's middle or of a centre of curvature, farther than 1000 a, and where a
-    /// component is not finite.
+    /// The offset of a point; none within half of a of the Earth's middle or of a centre of curvature,
+    /// farther than 1000 a, and where a component is not finite.
     #[inline(always)]
     fn long_offset(&self, Enu { east, north, up }: Enu<T>) -> Option<LongOffset<T>> {
         let (zero, one) = (T::ZERO, T::ONE);
@@ -223,7 +237,8 @@ impl<T: Real> LocalFrame<T> {
         let northward = long_difference((north, zero), long_product((s, s_lost), bulge));
         let upward = long_sum((up, zero), long_product((c, c_lost), bulge));
 
-        // Where the point's normal meets the axis, from where the origin's does: e²(N₂ sin φ₂ − N₁ sin φ₁), and N₂ − N₁.
+        // Where the point's normal meets the axis, from where the origin's does, e²(N₂ sin φ₂ − N₁ sin φ₁); N₂ − N₁; and
+        // N₂/W², of which the first grows with φ₂ by e²(N₂/W²) cos φ₂.
         let axis = |(sin, cos): (T, T)| {
             let rise = c * sin - s * sin * sin / (one + cos);
             let rise = select(cos > zero, rise, c * sin - s * (one - cos));

@@ -6,9 +6,11 @@ use crate::{LatLon, Real};
 
 /// A pixel of standard HEALPix, by its number in the nested scheme.
 ///
-/// At depth k (`order` in other libraries) a base pixel has `nside` × `nside` pixels, `nside` = 2ᵏ. The first four bits of a number are the base pixel: 0 to 3 about the north pole
-/// eastward from longitude 0, 4 to 7 on the equator with 4 about longitude 0, 8 to 11 about the south pole. Then come two bits for each level: x from the southern corner to the eastern one
-/// in the even places, y from the southern corner to the western one in the odd ones.
+/// At depth k (`order` in other libraries) a base pixel has `nside` × `nside` pixels, `nside` = 2ᵏ. The first
+/// four bits of a number are the base pixel: 0 to 3 about the north pole eastward from longitude 0, 4 to 7 on
+/// the equator with 4 about longitude 0, 8 to 11 about the south pole. Then come two bits for each level: x
+/// from the southern corner to the eastern one in the even places, y from the southern corner to the western
+/// one in the odd ones.
 ///
 /// ```
 /// use terrella::healpix::Pixel;
@@ -47,10 +49,11 @@ impl Pixel {
 
     /// The pixel of a depth in which a place lies, latitude and longitude on the sphere.
     ///
-    /// On a line between pixels it is the pixel of HEALPix's C library: north or east of the line in the equatorial zone, away from the pole in a cap.
+    /// On a line between pixels it is the pixel of HEALPix's C library: north or east of the line in the
+    /// equatorial zone, away from the pole in a cap.
     ///
-    /// A place farther from the pixel's edges than the rounding of its sine is in the right pixel: on the Earth 12 nm in `f64` and 0.6 m in `f32`. Next to a pole
-    /// no digit is lost.
+    /// A place farther from the pixel's edges than the rounding of its sine is in the right pixel: on the
+    /// Earth 12 nm in `f64` and 0.6 m in `f32`. Next to a pole no digit is lost.
     ///
     /// ```
     /// use terrella::healpix::Pixel;
@@ -79,7 +82,7 @@ impl Pixel {
         let index = |share: T| (share * across).floor().cast_unsigned().min(last);
         let (zero, half) = (T::ZERO, T::of(0.5));
         let north = height > zero;
-        // Four base pixels meet in the middle of the quarter on the equator; of the two lines between them one rises to the east.
+        // Two lines between base pixels cross in the middle of the quarter on the equator; one rises to the east.
         let slope = half * height;
         let (rising, falling) = (turn + slope, turn - slope);
         let wrapped = |share: T| share + either(share < zero, T::ONE);
@@ -128,9 +131,11 @@ impl Pixel {
         self.at([half, half])
     }
 
-    /// The place in the pixel at (dx, dy) ∈ [0, 1]²: dx from the southern corner to the eastern one, dy from the southern corner to the western one.
+    /// The place in the pixel at (dx, dy) ∈ [0, 1]²: dx from the southern corner to the eastern one, dy from
+    /// the southern corner to the western one.
     ///
-    /// Worst error 2.6·10⁻¹⁶ (`f64`), 1.4·10⁻⁷ (`f32`) radians on the sphere, the rounding of the latitude and longitude included.
+    /// Worst error 2.6·10⁻¹⁶ (`f64`), 1.4·10⁻⁷ (`f32`) radians on the sphere, the rounding of the latitude
+    /// and longitude included.
     ///
     /// ```
     /// use terrella::healpix::Pixel;
@@ -159,7 +164,8 @@ impl Pixel {
         let (x, y) = (gathered(self.number) & last, gathered(self.number >> 1) & last);
         let (zero, one) = (T::ZERO, T::ONE);
         let whole = |number: u32| T::whole(number.into());
-        // From the southern corner, from the northern one, and from the line between these to the east, over half of the base pixel's diagonal.
+        // From the southern corner, from the northern one, and to the east from the line between the two, over half of
+        // the base pixel's diagonal.
         let across = T::whole(1 << self.depth);
         let south = (whole(x + y) + (dx + dy)) / across;
         let north = (whole(2 * last - (x + y)) + ((one - dx) + (one - dy))) / across;

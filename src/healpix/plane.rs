@@ -64,10 +64,12 @@ pub(super) fn belt<T: Real>(height: T) -> (T, T) {
     (sin, ((T::ONE - sin) * (T::ONE + sin)).sqrt())
 }
 
-/// HEALPix's plane (Calabretta & Roukema, MNRAS 381, 2007): x in [0, 8), y in [−2, 2], in units of π/4, so that a base pixel is a square on its corner, two
-/// across. Longitude 0 is x = 0, the equator y = 0; the equatorial zone |sin φ| ≤ ⅔ is |y| ≤ 1, and the poles are the tips at x = 1, 3, 5, 7.
+/// HEALPix's plane (Calabretta & Roukema, MNRAS 381, 2007): x in [0, 8), y in [−2, 2], in units of π/4, so
+/// that a base pixel is a square on its corner, two across. Longitude 0 is x = 0, the equator y = 0; the
+/// equatorial zone |sin φ| ≤ ⅔ is |y| ≤ 1, and the poles are the tips at x = 1, 3, 5, 7.
 ///
-/// Worst error 7·10⁻¹⁶ (`f64`), 3.6·10⁻⁷ (`f32`) of a unit, 0.4 ulp of 8. Next to a tip y has the digits of 2: of a place as near to a pole, [`Pixel`](super::Pixel) loses none.
+/// Worst error 7·10⁻¹⁶ (`f64`), 3.6·10⁻⁷ (`f32`) of a unit, 0.4 ulp of 8. Next to a tip y has the digits of
+/// 2: of a place as near to a pole, [`Pixel`](super::Pixel) loses none.
 ///
 /// ```
 /// use terrella::healpix;
@@ -91,9 +93,11 @@ pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
     select(facet.is_cap(), [across, up], [along, facet.height])
 }
 
-/// The place of a point of HEALPix's plane: the way back of [`to_plane`]. Longitude is in [−180, 180]; of a pole it is the middle of the quarter.
+/// The place of a point of HEALPix's plane: the way back of [`to_plane`]. Longitude is in [−180, 180]; of a
+/// pole it is the middle of the quarter.
 ///
-/// Worst error 2.6·10⁻¹⁶ (`f64`), 1.4·10⁻⁷ (`f32`) radians on the sphere, the rounding of the latitude and longitude included.
+/// Worst error 2.6·10⁻¹⁶ (`f64`), 1.4·10⁻⁷ (`f32`) radians on the sphere, the rounding of the latitude and
+/// longitude included.
 ///
 /// ```
 /// use terrella::healpix;
@@ -104,7 +108,8 @@ pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
 /// ```
 ///
 /// # Errors
-/// [`OutsidePlane`] if x is not in [0, 8], |y| > 2, or the point is between the tips by more than rounding; NaN too.
+/// [`OutsidePlane`] if x is not in [0, 8], |y| > 2, or the point is between the tips by more than rounding;
+/// NaN too.
 #[inline]
 pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>> {
     let (two, eight) = (T::of(2.0), T::of(8.0));

@@ -189,8 +189,8 @@ impl Tile {
         }
     }
 
-    /// The tiles of a coarser level that meet in the corner nearest to this tile (of the corners of its ancestor of that level, the ancestor first):
-    /// S2's `AppendVertexNeighbors`. A disc no wider than half a tile of that level about a place in this tile is covered by them. None for a level that is not coarser.
+    /// The tiles of a coarser level about one corner of this tile's ancestor of that level, which is first: the corner
+    /// that is nearest to this tile. S2's `AppendVertexNeighbors`. None for a level that is not coarser.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};

@@ -4,20 +4,22 @@ use crate::{Direction, InvalidDirection, Real};
 
 /// Cells of Google's S2, as S2 itself chooses them.
 ///
-/// A tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube is S2's cell of the same key, and any place inside of it is in both. Of a
-/// place on the line between cells, or so near to it that rounding decides, [`Tile::containing`] takes the tile of larger x or y by the axes
-/// of this crate, and S2 the cell of larger s or t by its own, after its own rounding: these functions take S2's.
+/// A tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube is S2's cell of the same key, and any place
+/// inside of it is in both. Of a place on the line between cells, or so near to it that rounding decides,
+/// [`Tile::containing`] takes the tile of larger x or y by the axes of this crate, and S2 the cell of larger
+/// s or t by its own, after its own rounding: these functions take S2's.
 impl Key<Hilbert> {
     /// S2's leaf cell of a direction: the number of C++ `S2CellId(point)` bit for bit, of level 30.
     /// Its cell of a coarser level is the [`ancestor`](Self::ancestor).
     ///
-    /// The face is that of the largest component, and of equal ones that of z before y before x; then come S2's own divisions and square roots
-    /// in double precision (`s2coords.h`). The ports of S2 to Go and Rust choose x before y before z where components are equal: there,
-    /// on the twelve edges of the cube, they differ from S2 in C++ and from this function.
+    /// The face is that of the largest component, and of equal ones that of z before y before x; then come
+    /// S2's own divisions and square roots in double precision (`s2coords.h`). The ports of S2 to Go and Rust
+    /// choose x before y before z where components are equal: there, on the twelve edges of the cube, they
+    /// differ from S2 in C++ and from this function.
     ///
-    /// S2's `S2CellId(S2LatLng)` goes through radians, whose sines and cosines are up to 2·10⁻¹⁶ from those of
-    /// [`LatLon::to_direction`](crate::LatLon::to_direction), which takes degrees: of a place within 2 nm of a line between cells the two may be
-    /// different cells.
+    /// S2's `S2CellId(S2LatLng)` goes through radians, whose sines and cosines are up to 2·10⁻¹⁶ from those
+    /// of [`LatLon::to_direction`](crate::LatLon::to_direction), which takes degrees: of a place within 2 nm
+    /// of a line between cells the two may be different cells.
     ///
     /// ```
     /// use terrella::terrain::{Hilbert, Key};
@@ -34,14 +36,15 @@ impl Key<Hilbert> {
         leaf_of(direction.to_array())
     }
 
-    /// S2's leaf cell of a vector of any length, which S2 does not normalise: see [`s2_leaf`](Self::s2_leaf). A vector in single precision goes
-    /// here too, with its components as they are.
+    /// S2's leaf cell of a vector of any length, which S2 does not normalise: see [`s2_leaf`](Self::s2_leaf).
+    /// A vector in single precision goes here too, with its components as they are.
     ///
     /// ```
     /// use terrella::terrain::Key;
     /// let cell = Key::s2_leaf_of([0.0, 1.0, 1.0])?;
     /// assert_eq!(cell.bits() >> 61, 2); // S2's face of the north
-    /// assert_eq!(Key::s2_leaf_of([0.5_f32, 0.25, 0.0].map(f64::from))?.ancestor(3).map(|key| key.to_string()).as_deref(), Some("174"));
+    /// let single = Key::s2_leaf_of([0.5_f32, 0.25, 0.0].map(f64::from))?;
+    /// assert_eq!(single.ancestor(3).map(|key| key.to_string()).as_deref(), Some("174"));
     /// # Ok::<(), terrella::InvalidDirection<f64>>(())
     /// ```
     ///
@@ -56,7 +59,8 @@ impl Key<Hilbert> {
         Ok(leaf_of([x, y, z]))
     }
 
-    /// S2's leaf cell of its cell-space coordinates (s, t) ∈ [0, 1]² on one of its faces; a coordinate of 1 is in the last cell.
+    /// S2's leaf cell of its cell-space coordinates (s, t) ∈ [0, 1]² on one of its faces; a coordinate of 1
+    /// is in the last cell.
     ///
     /// ```
     /// use terrella::terrain::Key;
@@ -70,14 +74,15 @@ impl Key<Hilbert> {
     #[inline]
     pub fn s2_leaf_at(face: u8, [s, t]: [f64; 2]) -> Result<Self, InvalidNumbered<f64>> {
         let face = Numbering::S2.face(face).map_err(InvalidNumbered::Face)?;
-        let inside = |s: f64| (s >= 0.0) & (s <= 1.0);
-        if !(inside(s) & inside(t)) {
+        let inside = |s: f64| (0.0..=1.0).contains(&s);
+        if !(inside(s) && inside(t)) {
             return Err(InvalidNumbered::Point(InvalidFacePoint { x: s, y: t }));
         }
         Ok(leaf(face, [s, t]))
     }
 
-    /// The cells across the four edges, of the same level, in S2's order (`GetEdgeNeighbors`): below, right, above and left by S2's axes.
+    /// The cells across the four edges, of the same level, in S2's order (`GetEdgeNeighbors`): below, right,
+    /// above and left by S2's axes.
     ///
     /// ```
     /// use terrella::terrain::Key;
@@ -125,8 +130,8 @@ fn leaf(face: Face, st: [f64; 2]) -> Key<Hilbert> {
 }
 
 impl Tile {
-    /// The face's number, the column and the row by another's numbering and axes: columns to the right of its axes and rows along its second
-    /// axis, which is downward in [`OpenGl`](Numbering::OpenGl).
+    /// The face's number, the column and the row by another's numbering and axes: columns to the right of its
+    /// axes and rows along its second axis, which is downward in [`OpenGl`](Numbering::OpenGl).
     ///
     /// ```
     /// use terrella::cube::{Face, Numbering};
@@ -147,7 +152,8 @@ impl Tile {
     /// The tile of a face's number, a level, a column and a row by another's numbering and axes.
     ///
     /// # Errors
-    /// [`InvalidNumberedTile`] for a face above 5, a level above 30, or a column or row that the level does not have.
+    /// [`InvalidNumberedTile`] for a face above 5, a level above 30, or a column or row that the level does
+    /// not have.
     #[inline]
     pub fn from_numbering(
         numbering: Numbering,
@@ -165,7 +171,7 @@ impl Tile {
     #[inline(always)]
     const fn of_numbering(numbering: Numbering, face: Face, level: u8, square: [u32; 2]) -> Self {
         let root = Self::within(face, level, 0, 0);
-        let [i, j] = numbering.from_square(face, root.last(), square);
+        let [i, j] = numbering.square_of(face, root.last(), square);
         Self::within(face, level, i, j)
     }
 }

@@ -6,6 +6,7 @@ use terrella::{Aer, Ellipsoid, Enu, Geodetic, LocalFrame, Ned};
 
 use testkit::Worst;
 
+use crate::table::hold;
 use crate::truth::{Row, Scalar, Truth};
 use crate::{ELLIPSOIDS, ellipsoid, geodetic, length};
 
@@ -82,7 +83,7 @@ fn measured<T: Scalar>(name: &str) -> [f64; 4] {
             worst.near.add(length(&beyond));
         }
     }
-    let worst = [worst.offset, worst.back, worst.beyond, worst.near].map(|worst| worst.value());
+    let worst = [worst.offset, worst.back, worst.beyond, worst.near].map(Worst::value);
     println!("{} {name} {worst:?}", T::NAME);
     worst
 }
@@ -90,10 +91,15 @@ fn measured<T: Scalar>(name: &str) -> [f64; 4] {
 #[test]
 fn ways_back_are_as_accurate_as_claimed() {
     for name in ELLIPSOIDS {
-        for (measured, claimed) in measured::<f64>(name).into_iter().zip([3e-16, 3e-16, 1e-16, 1e-12]) {
+        let (double, single) = (measured::<f64>(name), measured::<f32>(name));
+        hold(
+            "LocalFrame::enu_to_offset, relative to the distance",
+            [double[0], single[0]],
+        );
+        for (measured, claimed) in double.into_iter().zip([3e-16, 3e-16, 1e-16, 1e-12]) {
             assert!(measured <= claimed, "f64 {name}: {measured:e} {claimed:e}");
         }
-        for (measured, claimed) in measured::<f32>(name).into_iter().zip([1.7e-7, 1.7e-7, 6e-8, 2e-4]) {
+        for (measured, claimed) in single.into_iter().zip([1.7e-7, 1.7e-7, 6e-8, 2e-4]) {
             assert!(measured <= claimed, "f32 {name}: {measured:e} {claimed:e}");
         }
     }
@@ -298,4 +304,103 @@ fn any_vector_is_a_position_or_refused() {
         up: 0.0,
     };
     assert_eq!(nowhere.to_string(), "(1.0, NaN, 0.0) east, north, up is not finite");
+}
+
+/// Single precision next to double, which is held to the truth: both ways at all distances, with many origins next to the poles and ±180°.
+fn single_next_to_double(count: u32, seed: u64) {
+    let mut rng = Rng::with_seed(seed);
+    let [mut offsets, mut there, mut beyond, mut near] = [Worst::default(); 4];
+    for _ in 0..count {
+        let sign = if rng.bool() { 1.0 } else { -1.0 };
+        let lat = match rng.u8(0..6) {
+            0 => sign * (90.0 - 10_f64.powf(1.0 - 6.0 * rng.f64())),
+            1 => sign * 90.0,
+            _ => 180.0 * rng.f64() - 90.0,
+        } as f32;
+        let lon = match rng.u8(0..4) {
+            0 => sign * (180.0 - 1e-2 * rng.f64()),
+            _ => 360.0 * rng.f64() - 180.0,
+        } as f32;
+        let height = (rng.f64() * 110e3 - 10e3) as f32;
+        let size = 10_f64.powf(8.0 * rng.f64());
+        let mut part = || (size * (2.0 * rng.f64() - 1.0)) as f32;
+        let enu = Enu {
+            east: part(),
+            north: part(),
+            up: part(),
+        };
+        let long = Enu {
+            east: f64::from(enu.east),
+            north: f64::from(enu.north),
+            up: f64::from(enu.up),
+        };
+        let distance = length(&components(enu));
+        let frame = LocalFrame::new(Ellipsoid::<f32>::wgs84(), geodetic(lat, lon, height));
+        let earth = Ellipsoid::new(f64::from(frame.ellipsoid().a()), f64::from(frame.ellipsoid().f())).unwrap();
+        let origin = geodetic(f64::from(lat), f64::from(lon), f64::from(height));
+        let exact = LocalFrame::new(earth, origin);
+        let truth = exact.enu_to_offset(long).unwrap();
+        let place = exact.enu_to_geodetic(long).unwrap();
+        if place.height() < -3e6 {
+            continue;
+        }
+        let radius = earth.a() + place.height();
+        let scale = [
+            radius.to_radians(),
+            (radius * place.lat().to_radians().cos()).to_radians(),
+            1.0,
+        ];
+
+        let offset = frame.enu_to_offset(enu).unwrap();
+        let errors = [
+            f64::from(offset.lat) - truth.lat,
+            turned(f64::from(offset.lon) - truth.lon),
+            f64::from(offset.height) - truth.height,
+        ];
+        offsets.add(length(&[0, 1, 2].map(|at| errors[at] * scale[at])) / distance);
+
+        let found = frame.enu_to_geodetic(enu).unwrap();
+        let errors = [
+            f64::from(found.lat()) - place.lat(),
+            turned(f64::from(found.lon()) - place.lon()),
+            f64::from(found.height()) - place.height(),
+        ];
+        let nearest = [place.lat(), place.lon(), place.height()].map(rounding);
+        let over = [0, 1, 2].map(|at| testkit::maximum((errors[at].abs() - nearest[at]) * scale[at], 0.0));
+        beyond.add(length(&over) / distance);
+        if distance < 1e4 {
+            near.add(length(&over));
+        }
+
+        let seen = components(frame.geodetic_to_enu(found));
+        let position = geodetic(
+            f64::from(found.lat()),
+            f64::from(found.lon()),
+            f64::from(found.height()),
+        );
+        let truth = components(exact.geodetic_to_enu(position));
+        let apart = length(&[0, 1, 2].map(|at| seen[at] - truth[at]));
+        if length(&truth) > 0.0 {
+            there.add(apart / length(&truth));
+        }
+    }
+    let [offsets, there, beyond, near] = [offsets, there, beyond, near].map(Worst::value);
+    println!("offset {offsets:.2e}, there {there:.2e}, beyond the nearest {beyond:.2e}, within 10 km {near:.2e} m");
+    assert!(offsets <= 1.7e-7 && there <= 1e-7 && beyond <= 6e-8 && near <= 2e-4);
+}
+
+/// By how much single precision rounds a number.
+fn rounding(value: f64) -> f64 {
+    (f64::from(value as f32) - value).abs()
+}
+
+#[test]
+fn single_precision_is_as_accurate_as_claimed() {
+    single_next_to_double(50_000, 6);
+}
+
+#[test]
+#[ignore = "ten million: cargo test --release --test frames -- --ignored --nocapture ten_million"]
+fn ten_million_ways_back() {
+    single_next_to_double(10_000_000, 7);
 }
