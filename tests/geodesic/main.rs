@@ -14,6 +14,7 @@ mod haversine;
 mod karney;
 mod methods;
 mod poles;
+mod polygons;
 mod sample;
 mod stability;
 #[allow(dead_code)] // shared

@@ -1,8 +1,11 @@
 use super::Area;
-use crate::geodesic::degrees::Split;
+use crate::geodesic::degrees::{Split, longitude_difference};
 use crate::{LatLon, Real};
 
 /// A polygon of geodesics: add its corners in order, then ask for its area and perimeter.
+///
+/// Corners may coincide, and edges may cross; the ring may run round a pole any number of times. A pole has a longitude: between two corners
+/// at the same pole the edge turns there. Between opposite meridians the edge goes over the pole that [`Karney::solve`](super::Karney::solve) takes.
 ///
 /// ```
 /// use terrella::geodesic::Area;
@@ -21,7 +24,8 @@ pub struct PolygonArea<'a, T> {
     area: &'a Area<T>,
     first: Option<LatLon<T>>,
     last: Option<LatLon<T>>,
-    under: Sum<T>,
+    /// What lies to the left of the edges, less whole ellipsoids: in (−½, ½] of one.
+    left: Sum<T>,
     perimeter: Sum<T>,
     /// Whether the edges have crossed the meridian 0 an odd number of times.
     odd: bool,
@@ -33,7 +37,7 @@ impl<'a, T: Real> PolygonArea<'a, T> {
             area,
             first: None,
             last: None,
-            under: Sum::default(),
+            left: Sum::default(),
             perimeter: Sum::default(),
             odd: false,
         }
@@ -48,62 +52,60 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         self.last = Some(corner);
     }
 
-    /// The area in m², positive if the corners run counter-clockwise, between plus and minus half of the ellipsoid's.
+    /// The area in m² to the left of the edges, less as many whole ellipsoids as bring it into (−½, ½] of one: positive if the corners run
+    /// counter-clockwise round less than a half of it, negative for a hole, whose corners run clockwise, and positive for exactly a half. Of a ring
+    /// that runs several times round, each time counts.
+    ///
+    /// The errors are those of [`Area`], added up over the edges.
     #[must_use]
     pub fn area(&self) -> T {
-        let mut closed = *self;
-        if let (Some(last), Some(first)) = (self.last, self.first) {
-            closed.edge(last, first);
-        }
-        let whole = T::of(4.0 * core::f64::consts::PI) * self.area.c2;
-        let half = whole * T::of(0.5);
-        let mut under = closed.under.value();
-        // Around a pole the areas under the edges leave half of the ellipsoid out.
+        let mut closed = self.closed();
+        // Round a pole the areas under the edges leave half of the ellipsoid out.
+        let whole = self.area.whole();
         if closed.odd {
-            under += half.copysign(-under);
+            closed.left.add(whole.half());
+            closed.left.reduce(whole);
         }
-        if under > half {
-            under - whole
-        } else if under < -half {
-            under + whole
-        } else {
-            under
-        }
+        let Split { angle, rest } = whole.half();
+        let (left, half) = (closed.left.value(), angle + rest);
+        // A half but for rounding is a half.
+        if left <= -half { half } else { left }
     }
 
     /// The length of all edges in metres, the closing one included.
     #[must_use]
     pub fn perimeter(&self) -> T {
+        self.closed().perimeter.value()
+    }
+
+    fn closed(&self) -> Self {
         let mut closed = *self;
         if let (Some(last), Some(first)) = (self.last, self.first) {
             closed.edge(last, first);
         }
-        closed.perimeter.value()
+        closed
     }
 
     fn edge(&mut self, from: LatLon<T>, to: LatLon<T>) {
-        self.perimeter.add(self.area.karney.solve(from, to).inverse.distance);
-        // Counter-clockwise about a region to the north of the equator runs east to west.
-        self.under.add(-self.area.under(from, to));
-        self.odd ^= crosses(from.lon(), to.lon());
-    }
-}
-
-/// Whether the shortest way from one longitude to another crosses the meridian 0.
-fn crosses<T: Real>(from: T, to: T) -> bool {
-    let circle = T::of(360.0);
-    let difference = to - from;
-    let east = if difference > T::of(180.0) {
-        difference - circle
-    } else if difference <= T::of(-180.0) {
-        difference + circle
-    } else {
-        difference
-    };
-    match (from < T::ZERO, to < T::ZERO) {
-        (true, false) => east > T::ZERO,
-        (false, true) => east < T::ZERO,
-        _ => false,
+        let (distance, Split { angle, rest }) = self.area.edge(from, to);
+        let zero = T::ZERO;
+        self.perimeter.add(Split {
+            angle: distance,
+            rest: zero,
+        });
+        // Eastward the equator is to the right.
+        self.left.add(Split {
+            angle: -angle,
+            rest: -rest,
+        });
+        self.left.reduce(self.area.whole());
+        // East or west as the geodesic itself goes: the meridian 0 counts to the east.
+        let east = longitude_difference(from, to).angle;
+        self.odd ^= match (from.lon() < zero, to.lon() < zero) {
+            (true, false) => east > zero,
+            (false, true) => east < zero,
+            _ => false,
+        };
     }
 }
 
@@ -116,10 +118,25 @@ struct Sum<T> {
 }
 
 impl<T: Real> Sum<T> {
-    fn add(&mut self, value: T) {
-        let Split { angle, rest } = Split::sum(self.high, value);
+    fn add(&mut self, value: Split<T>) {
+        let Split { angle, rest } = Split::sum(self.high, value.angle);
         self.high = angle;
-        self.low += rest;
+        self.low += rest + value.rest;
+    }
+
+    /// Brought into (−½, ½] of a whole, from less than a whole outside.
+    fn reduce(&mut self, whole: Split<T>) {
+        let half = whole.half();
+        let over = (self.high - half.angle) + (self.low - half.rest);
+        let under = (self.high + half.angle) + (self.low + half.rest);
+        if over > T::ZERO {
+            self.add(Split {
+                angle: -whole.angle,
+                rest: -whole.rest,
+            });
+        } else if under <= T::ZERO {
+            self.add(whole);
+        }
     }
 
     fn value(self) -> T {
