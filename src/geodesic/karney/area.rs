@@ -112,7 +112,8 @@ impl<T: Real> Area<T> {
         self.with_sphere(excess, oblateness)
     }
 
-    /// The same for the geodesic that leaves a place at an azimuth in degrees and ends after a distance in metres.
+    /// The same for the geodesic that leaves a place at an azimuth in degrees and ends after a distance in metres, less whole ellipsoids. Over a pole it goes eastward
+    /// for the azimuths 0 and 180, westward for −0 and −180.
     ///
     /// # Errors
     /// As for [`Line::at`](super::Line::at).
