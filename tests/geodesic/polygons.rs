@@ -121,13 +121,19 @@ fn apart(found: f64, right: f64, rounding: f64) -> f64 {
     }
 }
 
+/// Whether two longitudes are 180° apart, exactly: both can be had from the other.
+fn opposite(lon1: f64, lon2: f64) -> bool {
+    let turn = lon2 - lon1;
+    turn.abs() == 180.0 && lon1 + turn == lon2 && lon2 - turn == lon1
+}
+
 /// Whether an edge has neighbours as short, whose area is another: nearly antipodal places, not on one circle of meridians.
 fn ill_conditioned(wgs84: &Theirs, corners: &[(f64, f64)]) -> bool {
     let first = corners.iter().cycle().skip(1);
     corners.iter().zip(first).any(|(&(lat1, lon1), &(lat2, lon2))| {
         let lengths: (f64, f64, f64, f64, f64, f64, f64) = wgs84.inverse(lat1, lon1, lat2, lon2);
         let (s12, _, _, m12, ..) = lengths;
-        s12 > 1e6 && m12 < 0.1 * s12 && (lon2 - lon1).abs() != 180.0
+        s12 > 1e6 && m12 < 0.1 * s12 && !opposite(lon1, lon2)
     })
 }
 

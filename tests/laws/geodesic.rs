@@ -273,7 +273,7 @@ fn area<T: Scalar>(bytes: &mut Bytes<'_>) {
         claim("Karney area under a line")
     };
     // Between opposite meridians theirs goes east, ours to the longitude it is given.
-    let s = if opposite_westward(from, to) { -s } else { s };
+    let s = if opposite(from, to) == Some(-180.0) { -s } else { s };
     // Theirs is as good.
     let rounding = if T::NAME == "f32" { 5e-7 } else { 5e-16 } * s.abs();
     let allowed = claimed[T::CLAIM] + claimed[0] + rounding;
@@ -285,11 +285,12 @@ fn area<T: Scalar>(bytes: &mut Bytes<'_>) {
     );
 }
 
-/// Whether the second longitude is the first less 180°, exactly.
-fn opposite_westward<T: Scalar>(from: LatLon<T>, to: LatLon<T>) -> bool {
+/// The second longitude less the first, if that is 180° or −180° exactly.
+fn opposite<T: Scalar>(from: LatLon<T>, to: LatLon<T>) -> Option<f64> {
     let ((_, lon1), (_, lon2)) = (coordinates(from), coordinates(to));
-    // Of two longitudes so far apart in f64 one loses nothing.
-    lon2 - lon1 == -180.0 && lon1 + -180.0 == lon2 && lon2 + 180.0 == lon1
+    let turn = lon2 - lon1;
+    // Nothing is lost if both can be had from the other.
+    (turn.abs() == 180.0 && lon1 + turn == lon2 && lon2 - turn == lon1).then_some(turn)
 }
 
 /// The next corner of a polygon: about a place, about the last one, about its antipode, on its meridian or on the one opposite, at a pole.
@@ -337,7 +338,7 @@ fn polygon<T: Scalar>(bytes: &mut Bytes<'_>) {
         let ((lat1, lon1), (lat2, lon2)) = (coordinates(from), coordinates(to));
         let lengths: (f64, f64, f64, f64, f64, f64, f64) = reference.inverse(lat1, lon1, lat2, lon2);
         let (s12, _, _, m12, ..) = lengths;
-        s12 <= 1e6 || m12 >= 0.1 * s12 || (lon2 - lon1).abs() == 180.0
+        s12 <= 1e6 || m12 >= 0.1 * s12 || opposite(from, to).is_some()
     });
     let (perimeter, signed, _) = theirs.compute(true);
     let (found, around): (f64, f64) = (ours.area().into(), ours.perimeter().into());
