@@ -13,6 +13,7 @@ mod great_circle;
 mod haversine;
 mod karney;
 mod methods;
+mod planar;
 mod poles;
 mod polygons;
 mod sample;

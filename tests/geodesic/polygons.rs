@@ -3,7 +3,7 @@
 use geographiclib_rs::{Geodesic as Theirs, InverseGeodesic, PolygonArea as TheirPolygon, Winding};
 use rayon::prelude::*;
 use terrella::Ellipsoid;
-use terrella::geodesic::{Area, Geodesic, Karney};
+use terrella::geodesic::{Area, Karney};
 
 use crate::sample::{even, place, signed};
 use crate::truth::Scalar;

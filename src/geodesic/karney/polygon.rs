@@ -1,5 +1,6 @@
 use super::Area;
 use crate::geodesic::degrees::{Split, longitude_difference};
+use crate::geodesic::sum::Sum;
 use crate::{LatLon, Real};
 
 /// A polygon of geodesics: add its corners in order, then ask for its area and perimeter.
@@ -63,8 +64,8 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         // Round a pole the areas under the edges leave half of the ellipsoid out.
         let whole = self.area.whole();
         if closed.odd {
-            closed.left.add(whole.half());
-            closed.left.reduce(whole);
+            add(&mut closed.left, whole.half());
+            reduce(&mut closed.left, whole);
         }
         let Split { angle, rest } = whole.half();
         let (left, half) = (closed.left.value(), angle + rest);
@@ -87,59 +88,42 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     }
 
     fn edge(&mut self, from: LatLon<T>, to: LatLon<T>) {
-        let (distance, Split { angle, rest }) = self.area.edge(from, to);
-        let zero = T::ZERO;
-        self.perimeter.add(Split {
-            angle: distance,
-            rest: zero,
-        });
+        let (distance, under) = self.area.edge(from, to);
+        self.perimeter.add(distance);
         // Eastward the equator is to the right.
-        self.left.add(Split {
-            angle: -angle,
-            rest: -rest,
-        });
-        self.left.reduce(self.area.whole());
+        add(&mut self.left, opposite(under));
+        reduce(&mut self.left, self.area.whole());
         // East or west as the geodesic itself goes: the meridian 0 counts to the east.
         let east = longitude_difference(from, to).angle;
-        self.odd ^= match (from.lon() < zero, to.lon() < zero) {
-            (true, false) => east > zero,
-            (false, true) => east < zero,
+        self.odd ^= match (from.lon() < T::ZERO, to.lon() < T::ZERO) {
+            (true, false) => east > T::ZERO,
+            (false, true) => east < T::ZERO,
             _ => false,
         };
     }
 }
 
-/// A sum that keeps what each addition lost.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct Sum<T> {
-    high: T,
-    low: T,
+/// Adds a number and its rest.
+fn add<T: Real>(sum: &mut Sum<T>, value: Split<T>) {
+    sum.add(value.angle);
+    sum.low += value.rest;
 }
 
-impl<T: Real> Sum<T> {
-    fn add(&mut self, value: Split<T>) {
-        let Split { angle, rest } = Split::sum(self.high, value.angle);
-        self.high = angle;
-        self.low += rest + value.rest;
+/// A sum brought into (−½, ½] of a whole, from less than a whole outside.
+fn reduce<T: Real>(sum: &mut Sum<T>, whole: Split<T>) {
+    let half = whole.half();
+    let over = (sum.high - half.angle) + (sum.low - half.rest);
+    let under = (sum.high + half.angle) + (sum.low + half.rest);
+    if over > T::ZERO {
+        add(sum, opposite(whole));
+    } else if under <= T::ZERO {
+        add(sum, whole);
     }
+}
 
-    /// Brought into (−½, ½] of a whole, from less than a whole outside.
-    fn reduce(&mut self, whole: Split<T>) {
-        let half = whole.half();
-        let over = (self.high - half.angle) + (self.low - half.rest);
-        let under = (self.high + half.angle) + (self.low + half.rest);
-        if over > T::ZERO {
-            self.add(Split {
-                angle: -whole.angle,
-                rest: -whole.rest,
-            });
-        } else if under <= T::ZERO {
-            self.add(whole);
-        }
-    }
-
-    fn value(self) -> T {
-        self.high + self.low
+fn opposite<T: Real>(value: Split<T>) -> Split<T> {
+    Split {
+        angle: -value.angle,
+        rest: -value.rest,
     }
 }
