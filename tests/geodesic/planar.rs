@@ -3,6 +3,7 @@
 use geographiclib_rs::{DirectGeodesic, Geodesic as Theirs, InverseGeodesic, PolygonArea as TheirPolygon, Winding};
 use terrella::geodesic::PlanarArea;
 use terrella::{Ellipsoid, LatLon};
+use testkit::Worst;
 
 use crate::sample::{place, signed};
 use crate::truth::Scalar;
@@ -125,7 +126,7 @@ fn field(rng: &mut fastrand::Rng, earth: &Theirs, lat: f64, size: f64, reach: f6
 fn worst_of_fields(size: f64, reach: f64) -> [f64; 2] {
     let earth = Theirs::wgs84();
     let mut rng = fastrand::Rng::with_seed(12);
-    let mut worst = [0.0; 2];
+    let mut worst = [Worst::default(); 2];
     for lat in [0.0, 12.0, 30.0, 51.5, -51.5, 70.0, 80.0, 85.0, -89.0, 89.9] {
         let lat = f64::from(lat as f32);
         for _ in 0..60 {
@@ -140,14 +141,11 @@ fn worst_of_fields(size: f64, reach: f64) -> [f64; 2] {
                 .iter_mut()
                 .zip([local::<f64>(EARTH, lat, &offsets), local::<f32>(EARTH, lat, &offsets)])
             {
-                let error = (found / right - 1.0).abs();
-                if !(error <= *worst) {
-                    *worst = error;
-                }
+                worst.add((found / right - 1.0).abs());
             }
         }
     }
-    worst
+    worst.map(Worst::value)
 }
 
 /// The table of the documentation.
@@ -186,7 +184,7 @@ fn factors_of_the_bound() {
         let shape = (EARTH.0, f);
         let earth = Theirs::new(shape.0, shape.1);
         let mut rng = fastrand::Rng::with_seed(13);
-        let mut worst = [0.0; 2];
+        let mut worst = [Worst::default(); 2];
         for case in 0..3000_usize {
             let lat = if case % 2 == 0 {
                 90.0 * rng.f64()
@@ -212,15 +210,13 @@ fn factors_of_the_bound() {
                 .iter()
                 .flat_map(|one| corners.iter().map(move |other| (one, other)));
             let across = across.map(|(one, other)| -> f64 { earth.inverse(one.0, one.1, other.0, other.1) });
-            let across = across.fold(0.0, |far: f64, s| if s > far { s } else { far });
+            let across = Worst::of(across);
             let found = [local::<f64>(shape, lat, &offsets), local::<f32>(shape, lat, &offsets)];
             for (worst, found) in worst.iter_mut().zip(found) {
-                let error = (found - right).abs() / (across * perimeter);
-                if !(error <= *worst) {
-                    *worst = error;
-                }
+                worst.add((found - right).abs() / (across * perimeter));
             }
         }
+        let worst = worst.map(Worst::value);
         let square = (diameter / (shape.0 * (1.0 - f) * (1.0 - f))).powi(2);
         let form = 0.03 * f * (2.0 - f) * square + 0.025 * square * square;
         println!(

@@ -4,6 +4,7 @@ use geographiclib_rs::{Geodesic as Theirs, InverseGeodesic, PolygonArea as Their
 use rayon::prelude::*;
 use terrella::Ellipsoid;
 use terrella::geodesic::{Area, Karney};
+use testkit::Worst;
 
 use crate::sample::{even, place, signed};
 use crate::truth::Scalar;
@@ -144,12 +145,7 @@ fn worst(seeds: core::ops::Range<u64>, each: u32) -> [f64; 3] {
         let double = Area::<f64>::new(Ellipsoid::wgs84()).unwrap();
         let single = Area::<f32>::new(Ellipsoid::wgs84()).unwrap();
         let mut rng = fastrand::Rng::with_seed(seed);
-        let mut worst = [0.0; 3];
-        let mut keep = |index: usize, error: f64| {
-            if !(error <= worst[index]) {
-                worst[index] = error;
-            }
-        };
+        let mut worst = [Worst::default(); 3];
         for _ in 0..each {
             let corners = polygon(&mut rng);
             let ([area, around], [their_area, their_around]) = (drawn(&double, &corners), theirs(&wgs84, &corners));
@@ -158,13 +154,13 @@ fn worst(seeds: core::ops::Range<u64>, each: u32) -> [f64; 3] {
                 error < 0.02 * corners.len() as f64 + 0.3,
                 "{corners:?}: {area} {their_area}"
             );
-            keep(0, error);
+            worst[0].add(error);
             let error = (around - their_around).abs();
             assert!(
                 error < 1e-8 * corners.len() as f64 + 1e-7,
                 "{corners:?}: {around} {their_around}"
             );
-            keep(2, error);
+            worst[2].add(error);
             let rounded: Corners = corners
                 .iter()
                 .map(|&(lat, lon)| (f64::from(lat as f32), f64::from(lon as f32)))
@@ -176,13 +172,13 @@ fn worst(seeds: core::ops::Range<u64>, each: u32) -> [f64; 3] {
                     error < 6e7 + 1e7 * corners.len() as f64,
                     "f32 {rounded:?}: {area} {right}"
                 );
-                keep(1, error);
+                worst[1].add(error);
             }
         }
-        worst
+        worst.map(Worst::value)
     };
-    let join = |one: [f64; 3], other: [f64; 3]| core::array::from_fn(|i| one[i].max(other[i]));
-    seeds.into_par_iter().map(of_seed).reduce(|| [0.0; 3], join)
+    let all: Vec<[f64; 3]> = seeds.into_par_iter().map(of_seed).collect();
+    core::array::from_fn(|i| Worst::of(all.iter().map(|worst| worst[i])))
 }
 
 #[test]

@@ -2,6 +2,7 @@ use fastrand::Rng;
 use geographiclib_rs::{DirectGeodesic, Geodesic as Theirs, InverseGeodesic, PolygonArea as TheirPolygon, Winding};
 use terrella::scene::{AnyArea, Areas, Surface};
 use terrella::{LatLon, Real};
+use testkit::Worst;
 
 use crate::draw::{Drawn, Tally, double, median, power, say};
 
@@ -88,7 +89,7 @@ fn hold<T: Real>(local: bool, scenes: usize) {
                 continue;
             }
             let method = areas.method().unwrap();
-            let (mut worst, mut told) = (0.0, 0.0);
+            let [mut worst, mut told] = [Worst::default(); 2];
             for polygon in &polygons {
                 let error = (found(&method, &polygon.corners, origin) - polygon.area).abs();
                 assert!(
@@ -97,10 +98,10 @@ fn hold<T: Real>(local: bool, scenes: usize) {
                     polygon.corners,
                     areas.bound()
                 );
-                let (error, truth) = (error / polygon.perimeter, polygon.truth / polygon.perimeter);
-                worst = if error > worst { error } else { worst };
-                told = if truth > told { truth } else { told };
+                worst.add(error / polygon.perimeter);
+                told.add(polygon.truth / polygon.perimeter);
             }
+            let (worst, told) = (worst.value(), told.value());
             // Of what the truth can tell.
             if worst > 10.0 * told {
                 idle[surface as usize].push(areas.bound() / worst);
