@@ -4,14 +4,18 @@ use super::sum::Sum;
 use crate::latitude::UnsupportedFlattening;
 use crate::{Ellipsoid, LatLon, Real};
 
-/// Areas of fields, to some hundred kilometres across, in the tangent plane at a polygon's first corner: in `f32` as exact as the corners.
+/// Areas of fields, to some hundred kilometres across: in `f32` as exact as the corners.
 ///
-/// [`Area`](super::Area) sums the areas between each edge and the equator, and what a field is less than these it loses to rounding: in `f32` all of it. Here only
-/// differences from the first corner count. [`Self::local`] takes corners as offsets from an origin, which single precision holds to
-/// 2⁻²⁴ of themselves where latitudes and longitudes are held to 0.4 m. Corners may be anywhere, at a pole and round it, too.
+/// [`Area`](super::Area) sums the areas between each edge and the equator. What a field is less than these it
+/// loses to rounding, in `f32` all of it. Here only differences from the polygon's first corner count.
+/// [`Self::local`] takes corners as offsets from an origin, which single precision holds to 2⁻²⁴ of
+/// themselves, where it holds latitudes and longitudes to 0.4 m. Corners may be anywhere, at a pole and round
+/// it, too.
 ///
-/// An error is at most P D (r + 0.038 e² (D/R)² + 0.032 (D/R)⁴) for a perimeter P and a diameter D (the farthest corners apart), R = a(1 − f)², r = 3·10⁻¹⁶ in `f64`, 1.2·10⁻⁷
-/// in `f32`. Of fields about as wide as long, their middle 0 to 200 km from the origin, at latitudes 0 to 89.9, that is, as a part of the area:
+/// For a perimeter P and corners at most D apart, D ≤ R/5, an error is at most P D (r + 0.038 e² (D/R)² +
+/// 0.032 (D/R)⁴), R = a(1 − f)², r = 3·10⁻¹⁶ in `f64` and 1.2·10⁻⁷ in `f32`. Of fields about as wide as long,
+/// their middle 0 to 200 km from the origin, at latitudes 0 to 89.9, the largest seen were, as a part of the
+/// area,
 ///
 /// | across | `f64` | `f32` |
 /// |---|---|---|
@@ -19,9 +23,10 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 100 km | 3·10⁻⁷ | 6·10⁻⁷ |
 /// | 200 km | 10⁻⁶ | 10⁻⁶ |
 ///
-/// The polygon is projected orthographically along the normal of its first corner. A triangle of that corner and an edge has there the area ½ b × c, and on the
-/// ellipsoid ½ b × c (1 + (b² + c² + (c − b)²)/(8MN)): gnomonic maps of a sphere of the curvature 1/(MN) have straight edges, and an areal scale whose
-/// integral over a triangle is a polynomial of its sides.
+/// Corners are projected orthographically on the tangent plane at the first one. The triangle of that corner
+/// and the edge from b to c has the area ½ b × c there, and ½ b × c (1 + (b² + c² + (c − b)²)/(8MN)) on the
+/// ellipsoid: on a sphere of the same curvature 1/(MN) edges are straight in the gnomonic projection, and the
+/// integral of its areal scale over the triangle is, to the second order, this polynomial.
 ///
 /// ```
 /// use terrella::geodesic::PlanarArea;
@@ -44,7 +49,7 @@ pub struct PlanarArea<T> {
     origin: T,
 }
 
-/// A polygon of geodesics in a plane: add its corners in order, then ask for its area. From [`PlanarArea::polygon`].
+/// A polygon of geodesics: add its corners in order, then ask for its area. From [`PlanarArea::polygon`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PlanarPolygon<T> {

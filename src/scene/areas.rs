@@ -3,7 +3,7 @@ use core::marker::PhantomData;
 use super::band::{Band, DEGREE, Parallel, e2, hypot};
 use super::bounds::{middle_rounded, places_rounded, polar_radius, smallest};
 use super::{Bound, Scene, SceneError};
-use crate::geodesic::{Area, PlanarArea, PlanarPolygon, PolygonArea};
+use crate::geodesic::{Area, PlanarArea};
 use crate::latitude::UnsupportedFlattening;
 use crate::{LatLon, Real};
 
@@ -35,21 +35,26 @@ pub struct Areas<T> {
 impl Scene {
     /// The cheapest model of the areas of polygons that keeps the tolerance in a scalar.
     ///
-    /// The tolerance is in metres, too: an area may be as wrong as if the boundary were drawn that far off, the tolerance times the perimeter. The scene's distances are those between any two corners,
-    /// the nearest that along an edge.
+    /// The tolerance is in metres here, too: the error of an area is at most the tolerance times the
+    /// perimeter, as if the boundary were drawn so far off. The scene's farthest distance is that between any
+    /// two corners, its nearest the length of the shortest edge: the dearer model needs one.
     ///
-    /// For distances from n to s, σ = s/r, r = a(1 − f)², latitudes up to φ, the errors are at most the perimeter times
+    /// For distances from n to s, σ = s/r, r = a(1 − f)², latitudes up to φ, the errors are at most the
+    /// perimeter times
     ///
     /// | model | metres | where |
     /// |---|---|---|
     /// | plane | s (0.038 e²σ² + 0.032 σ⁴) | σ ≤ 0.2 |
     /// | ellipsoid | 10⁻¹⁵ a/cos(φ + σ/2) + 0.02 f m²/n; 0.1 m²/n if less | s ≤ 0.9 πb; beyond 10⁴ m²/n |
     ///
-    /// and rounding. Of the plane that is 3·10⁻¹⁶ s in `f64`, in `f32` 1.2·10⁻⁷ s; for the ellipsoid in `f32` take 6·10⁻⁷, 10⁷ m² and 6·10⁷ m², and there is no bound beyond. In `f32` there is
-    /// the places' own: half a unit of each latitude and longitude, 0.95 m at the equator; about an origin 2⁻²⁴ of the way to it. Areas are the Earth's, and in proportion elsewhere.
+    /// and rounding: of the plane 3·10⁻¹⁶ s in `f64`, 1.2·10⁻⁷ s in `f32`. For the ellipsoid in `f32` the
+    /// constants are 6·10⁻⁷, 10⁷ m² and 6·10⁷ m², and beyond 0.9 πb there is no bound. In `f32` there is the
+    /// corners' own rounding, too: half a unit of latitude and longitude, 0.95 m at the equator; about an
+    /// origin 2⁻²⁴ of the way to it. Areas are the Earth's, and in proportion elsewhere.
     ///
     /// # Errors
-    /// [`SceneError::OutOfReach`] with the bound of the best model in this scalar; the others if the scene is none.
+    /// [`SceneError::OutOfReach`] with the bound of the best model in this scalar; the others if the scene is
+    /// none.
     ///
     /// ```
     /// use terrella::scene::{Areas, Scene, Surface};
@@ -61,13 +66,10 @@ impl Scene {
     ///     Err(_) => panic!("no model is good enough"), // would not compile
     /// };
     /// assert_eq!(AREAS.surface(), Surface::Plane);
-    /// let areas = AREAS.method()?;
-    /// let mut field = areas.polygon();
-    /// for (north, east) in [(0.0, 0.0), (0.0, 0.001), (0.001, 0.001), (0.001, 0.0)] {
-    ///     field.add(LatLon::new(north, east)?);
-    /// }
-    /// assert!((field.area() - 7641.537).abs() < 0.005);
-    /// // Countries, their boundaries to a micrometre, no edge shorter than 10 km.
+    /// let corners = [(0.0, 0.0), (0.0, 0.001), (0.001, 0.001), (0.001, 0.0)];
+    /// let corners = corners.map(|(north, east)| LatLon::new(north, east).unwrap());
+    /// assert!((AREAS.method()?.area(corners) - 7641.537).abs() < 0.005);
+    /// // Countries, their boundaries to 10 micrometres, no edge shorter than 10 km.
     /// let countries = Scene::new(Ellipsoid::WGS84).latitudes(-60.0, 75.0).between(1e4, 1e7).within(1e-5);
     /// assert_eq!(countries.areas::<f64>()?.surface(), Surface::Ellipsoid);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -89,7 +91,8 @@ impl Scene {
         }
     }
 
-    /// A model of areas, whatever the tolerance: its [`bound`](Areas::bound) in this scene, infinite where the model is none.
+    /// A model of areas, whatever the tolerance: its [`bound`](Areas::bound) in this scene, infinite where
+    /// the model is none.
     ///
     /// # Errors
     /// If the scene is none.
@@ -109,7 +112,8 @@ impl Scene {
     const fn area_bounds(&self, single: bool) -> [f64; 2] {
         let (ellipsoid, band, [near, far]) = (self.ellipsoid, Band::new(self.latitudes), self.distances);
         let a = ellipsoid.a();
-        // An area is at most 0.29 of perimeter and diameter; a corner is moved by half of what two places are.
+        // An area is at most 0.29 of perimeter and diameter; a corner is moved by half of what two places
+        // are.
         let input = match (single, self.local) {
             (false, _) => 0.0,
             (true, true) => {
@@ -126,7 +130,8 @@ impl Scene {
         } else {
             f64::INFINITY
         };
-        // In m², whatever the edge and however short; and what the area under it makes of it, for each metre, where it comes nearest to a pole.
+        // Of an edge in m²: of any, of a short one, and for each metre of the area under it, most where it is
+        // nearest to a pole.
         let [any, short, under] = if single { [6e7, 1e7, 6e-7] } else { [0.1, 0.02, 1e-15] };
         let (scale, half_circle) = (a / 6_378_137.0, core::f64::consts::PI * polar_radius(ellipsoid));
         let nearest = Parallel::new((band.steepest.degrees + 0.5 * arc / DEGREE).min(90.0));
@@ -200,44 +205,22 @@ pub enum AnyArea<T> {
 }
 
 impl<T: Real> AnyArea<T> {
-    /// A polygon whose corners are added one by one.
+    /// The area in m² of the polygon with these corners, positive if they run counter-clockwise; of a
+    /// [local](Scene::local) scene they are given as degrees from the origin.
     #[must_use]
     #[inline(always)]
-    pub fn polygon(&self) -> AnyPolygon<'_, T> {
+    pub fn area(&self, corners: impl IntoIterator<Item = LatLon<T>>) -> T {
         match self {
-            Self::Plane(area) => AnyPolygon::Plane(area.polygon()),
-            Self::Ellipsoid(area) => AnyPolygon::Ellipsoid(area.polygon()),
-        }
-    }
-}
-
-/// A polygon of a scene's model: from [`AnyArea::polygon`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum AnyPolygon<'a, T> {
-    /// [`Surface::Plane`].
-    Plane(PlanarPolygon<T>),
-    /// [`Surface::Ellipsoid`].
-    Ellipsoid(PolygonArea<'a, T>),
-}
-
-impl<T: Real> AnyPolygon<'_, T> {
-    /// Adds a corner; of a [local](Scene::local) scene it is given as degrees from the origin.
-    #[inline(always)]
-    pub fn add(&mut self, corner: LatLon<T>) {
-        match self {
-            Self::Plane(polygon) => polygon.add(corner),
-            Self::Ellipsoid(polygon) => polygon.add(corner),
-        }
-    }
-
-    /// The area in m², positive if the corners run counter-clockwise.
-    #[must_use]
-    #[inline(always)]
-    pub fn area(&self) -> T {
-        match self {
-            Self::Plane(polygon) => polygon.area(),
-            Self::Ellipsoid(polygon) => polygon.area(),
+            Self::Plane(area) => {
+                let mut polygon = area.polygon();
+                corners.into_iter().for_each(|corner| polygon.add(corner));
+                polygon.area()
+            }
+            Self::Ellipsoid(area) => {
+                let mut polygon = area.polygon();
+                corners.into_iter().for_each(|corner| polygon.add(corner));
+                polygon.area()
+            }
         }
     }
 }

@@ -95,7 +95,7 @@ mod positions;
 mod scalar;
 mod tiles;
 
-pub use areas::{AnyArea, AnyPolygon, Areas, Surface};
+pub use areas::{AnyArea, Areas, Surface};
 pub use distances::Distances;
 pub use error::SceneError;
 pub use expansion::Expansion;

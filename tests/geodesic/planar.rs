@@ -1,4 +1,5 @@
-//! Areas of fields about an origin, in both scalars, next to GeographicLib's and, where those are too coarse, to areas of chords.
+//! Areas of fields about an origin, in both scalars, next to GeographicLib's and, where those are too coarse,
+//! to areas of chords.
 
 use geographiclib_rs::{DirectGeodesic, Geodesic as Theirs, InverseGeodesic, PolygonArea as TheirPolygon, Winding};
 use terrella::geodesic::PlanarArea;
@@ -50,7 +51,8 @@ fn cross(x: [f64; 3], y: [f64; 3]) -> [f64; 3] {
     core::array::from_fn(|i| x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3])
 }
 
-/// The polygon of chords, seen from above its first corner: within 10⁻⁹ of the area to 100 m, where GeographicLib is 10⁻³ m² off.
+/// The polygon of chords, seen from above its first corner: within 10⁻⁹ of the area to 100 m, where
+/// GeographicLib is 10⁻³ m² off.
 fn of_chords((a, f): (f64, f64), corners: &[(f64, f64)]) -> f64 {
     let e2 = f * (2.0 - f);
     let up = |(lat, lon): (f64, f64)| {
@@ -170,7 +172,8 @@ fn fields_to_ten_kilometres_and_far_beyond() {
     }
 }
 
-/// Polygons of any shape, their edges crossing: the error over perimeter and diameter, where the factors of the documentation are from.
+/// Polygons of any shape, their edges crossing: the error over perimeter and diameter, where the factors of
+/// the documentation are from.
 #[test]
 fn factors_of_the_bound() {
     for (f, diameter) in [

@@ -1,4 +1,5 @@
-//! Areas of polygons next to GeographicLib's: poles, opposite meridians, rings of several turns, repeated corners, holes.
+//! Areas of polygons next to GeographicLib's: poles, opposite meridians, rings of several turns, repeated
+//! corners, holes.
 
 use geographiclib_rs::{Geodesic as Theirs, InverseGeodesic, PolygonArea as TheirPolygon, Winding};
 use rayon::prelude::*;
@@ -112,7 +113,8 @@ fn polygon(rng: &mut fastrand::Rng) -> Corners {
     corners
 }
 
-/// The difference of two areas; of halves of the ellipsoid, but for so much, that of their sizes: the sign is rounding's.
+/// The difference of two areas; of halves of the ellipsoid, but for so much, that of their sizes: the sign is
+/// rounding's.
 fn apart(found: f64, right: f64, rounding: f64) -> f64 {
     let half = |area: f64| area.abs() >= 0.5 * WHOLE - rounding;
     if half(found) && half(right) {
@@ -128,7 +130,8 @@ fn opposite(lon1: f64, lon2: f64) -> bool {
     turn.abs() == 180.0 && lon1 + turn == lon2 && lon2 - turn == lon1
 }
 
-/// Whether an edge has neighbours as short, whose area is another: nearly antipodal places, not on one circle of meridians.
+/// Whether an edge has neighbours as short, whose area is another: nearly antipodal places, not on one circle
+/// of meridians.
 fn ill_conditioned(wgs84: &Theirs, corners: &[(f64, f64)]) -> bool {
     let first = corners.iter().cycle().skip(1);
     corners.iter().zip(first).any(|(&(lat1, lon1), &(lat2, lon2))| {
@@ -138,7 +141,8 @@ fn ill_conditioned(wgs84: &Theirs, corners: &[(f64, f64)]) -> bool {
     })
 }
 
-/// The worst of so many polygons: of the areas in f64, well- and ill-conditioned, of those in f32 of the same corners rounded, next to f64, and of the perimeters in f64.
+/// The worst of so many polygons: of the areas in f64, well- and ill-conditioned, of those in f32 of the same
+/// corners rounded, next to f64, and of the perimeters in f64.
 fn worst(seeds: core::ops::Range<u64>, each: u32) -> [f64; 4] {
     let of_seed = |seed| {
         let wgs84 = Theirs::wgs84();
@@ -215,7 +219,8 @@ fn is(corners: &[(f64, f64)], right: f64, why: &str) {
     );
 }
 
-/// Edges that span 180° of longitude, exactly or after rounding: found by comparing random polygons with GeographicLib 2.1.
+/// Edges that span 180° of longitude, exactly or after rounding: found by comparing random polygons with
+/// GeographicLib 2.1.
 #[test]
 fn edges_between_opposite_meridians() {
     let octant = WHOLE / 8.0;
@@ -271,7 +276,8 @@ fn triangles_with_an_edge_between_opposite_meridians() {
     check::<f32>(6e7);
 }
 
-/// GeographicLib's Planimeter21 to Planimeter29 and their like to the south: a remainder, not one subtraction.
+/// GeographicLib's Planimeter21 to Planimeter29 and their like to the south: a remainder, not one
+/// subtraction.
 #[test]
 fn rings_that_run_several_times_round_a_pole() {
     let once = 39_433_884_866_571.43;
@@ -367,7 +373,8 @@ fn lunes() {
     }
 }
 
-/// Which pole the edge between opposite meridians goes over is the same for its azimuths, its area and the way along it.
+/// Which pole the edge between opposite meridians goes over is the same for its azimuths, its area and the
+/// way along it.
 #[test]
 fn areas_and_azimuths_take_the_same_pole() {
     fn check<T: Scalar>(allowed: f64) {

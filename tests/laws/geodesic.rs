@@ -293,7 +293,8 @@ fn opposite<T: Scalar>(from: LatLon<T>, to: LatLon<T>) -> Option<f64> {
     (turn.abs() == 180.0 && lon1 + turn == lon2 && lon2 - turn == lon1).then_some(turn)
 }
 
-/// The next corner of a polygon: about a place, about the last one, about its antipode, on its meridian or on the one opposite, at a pole.
+/// The next corner of a polygon: about a place, about the last one, about its antipode, on its meridian or on
+/// the one opposite, at a pole.
 fn corner<T: Scalar>(bytes: &mut Bytes<'_>, middle: LatLon<T>, last: LatLon<T>) -> LatLon<T> {
     let right = T::of(90.0);
     let (lat, lon) = match bytes.byte() % 8 {
@@ -326,7 +327,8 @@ fn polygon<T: Scalar>(bytes: &mut Bytes<'_>) {
     for _ in 0..bytes.byte() % 8 {
         let last = corners.last().copied().unwrap_or(middle);
         let corner = corner(bytes, middle, last);
-        // Of opposite places on the equator theirs does not see the sign of a zero, nor of what is rounded to one.
+        // Of opposite places on the equator theirs does not see the sign of a zero, nor of what is rounded to
+        // one.
         let beside = corner.lat().abs().into() < 1e-11;
         let corner = LatLon::new(if beside { T::ZERO } else { corner.lat() }, corner.lon()).unwrap();
         corners.push(corner);

@@ -187,12 +187,7 @@ functions! {
             Ok(areas) => areas,
             Err(_) => panic!(),
         };
-        let areas = AREAS.method().ok()?;
-        let mut field = areas.polygon();
-        for corner in corners {
-            field.add(*corner);
-        }
-        Some(field.area())
+        Some(AREAS.method().ok()?.area(corners.iter().copied()))
     }
     planar_area_about_place(place: &LatLon<T>, corners: &[LatLon<T>]) -> Option<T> {
         let mut field = PlanarArea::local(Ellipsoid::wgs84(), *place).ok()?.polygon();

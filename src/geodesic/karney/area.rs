@@ -9,7 +9,8 @@ use crate::latitude::UnsupportedFlattening;
 use crate::math::atan2;
 use crate::{Ellipsoid, LatLon, Real};
 
-/// Areas between geodesics and the equator, and of polygons.
+/// Areas between geodesics and the equator, and of polygons. For fields in `f32` there is
+/// [`PlanarArea`](crate::geodesic::PlanarArea).
 ///
 /// On the Earth within 0.1 m², within 0.02 m² and 5e-16 of the area for lines under 1000 km (`f32`: 60 km², 0.2 km² and 5e-7; past
 /// a pole the area is as large as for any line). Between nearly antipodal places, whose reduced
@@ -37,11 +38,13 @@ impl<T: Real> Area<T> {
         })
     }
 
-    /// The area in m² between the geodesic from one place to another and the equator, positive if the quadrilateral (from), (0, from's longitude),
-    /// (0, to's longitude), (to) runs counter-clockwise: where the geodesic runs eastward to the north of the equator.
+    /// The area in m² between the geodesic from one place to another and the equator, positive if the
+    /// quadrilateral (from), (0, from's longitude), (0, to's longitude), (to) runs counter-clockwise: where
+    /// the geodesic runs eastward to the north of the equator.
     ///
-    /// Between opposite meridians it goes over the pole that [`Karney::solve`] takes: eastward to the longitude that is 180° more, westward to that which is
-    /// 180° less. A pole has a longitude: between two places there, the area is that of the lune between their meridians, down to the equator.
+    /// Between opposite meridians it goes over the pole that [`Karney::solve`] takes: eastward to the
+    /// longitude that is 180° more, westward to that which is 180° less. A pole has a longitude: between two
+    /// places there the area is that of the lune between their meridians, from the pole to the equator.
     #[must_use]
     pub fn under(&self, from: LatLon<T>, to: LatLon<T>) -> T {
         let (_, Split { angle, rest }) = self.edge(from, to);
@@ -64,7 +67,8 @@ impl<T: Real> Area<T> {
         (arc.distance + T::ZERO, area)
     }
 
-    /// All of the turn is at the pole in the south: a lune, exactly a quarter of the ellipsoid between opposite meridians.
+    /// All of the turn is at the pole in the south: a lune, exactly a quarter of the ellipsoid between
+    /// opposite meridians.
     fn along_meridian(&self, difference: Split<T>) -> Split<T> {
         let east = T::ONE.copysign(difference.angle);
         let (angle, rest) = (difference.angle * east, difference.rest * east);
@@ -112,8 +116,9 @@ impl<T: Real> Area<T> {
         self.with_sphere(excess, oblateness)
     }
 
-    /// The same for the geodesic that leaves a place at an azimuth in degrees and ends after a distance in metres, less whole ellipsoids. Over a pole it goes eastward
-    /// for the azimuths 0 and 180, westward for −0 and −180.
+    /// The same for the geodesic that leaves a place at an azimuth in degrees and ends after a distance in
+    /// metres, less whole ellipsoids. Over a pole it goes eastward for the azimuths 0 and 180, westward for
+    /// −0 and −180.
     ///
     /// # Errors
     /// As for [`Line::at`](super::Line::at).

@@ -5,8 +5,9 @@ use crate::{LatLon, Real};
 
 /// A polygon of geodesics: add its corners in order, then ask for its area and perimeter.
 ///
-/// Corners may coincide, and edges may cross; the ring may run round a pole any number of times. A pole has a longitude: between two corners
-/// at the same pole the edge turns there. Between opposite meridians the edge goes over the pole that [`Karney::solve`](super::Karney::solve) takes.
+/// Corners may coincide, and edges may cross; the ring may run round a pole any number of times. A pole has a
+/// longitude: between two corners at the same pole the edge turns there. Between opposite meridians the edge
+/// goes over the pole that [`Karney::solve`](super::Karney::solve) takes.
 ///
 /// ```
 /// use terrella::geodesic::Area;
@@ -53,9 +54,10 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         self.last = Some(corner);
     }
 
-    /// The area in m² to the left of the edges, less as many whole ellipsoids as bring it into (−½, ½] of one: positive if the corners run
-    /// counter-clockwise round less than a half of it, negative for a hole, whose corners run clockwise, and positive for exactly a half. Of a ring
-    /// that runs several times round, each time counts.
+    /// The area in m² to the left of the edges, less as many whole ellipsoids as bring it into (−½, ½] of
+    /// one: positive if the corners run counter-clockwise round less than a half, negative for a hole, whose
+    /// corners run clockwise, and positive for exactly a half. Of a ring that runs round several times each
+    /// time counts.
     ///
     /// The errors are those of [`Area`], added up over the edges.
     #[must_use]
