@@ -219,6 +219,8 @@ const _: () = {
         formats::<LinePoint<T>>();
         formats::<Area<T>>();
         formats::<PolygonArea<T>>();
+        formats::<PlanarArea<T>>();
+        formats::<PlanarPolygon<T>>();
         formats::<InvalidPlace<T>>();
         formats::<Heights<T>>();
         formats::<InvalidHeights<T>>();

@@ -16,7 +16,9 @@ mod karney;
 mod method;
 mod middle;
 mod ordinary;
+mod planar;
 mod plane;
+mod sum;
 mod vincenty;
 
 pub use andoyer::Andoyer;
@@ -27,6 +29,7 @@ pub use great_circle::GreatCircle;
 pub use haversine::Haversine;
 pub use karney::{Area, Karney, Line, LinePoint, PolygonArea, Solution};
 pub use method::{AnyMethod, Method, UnknownMethod};
+pub use planar::{PlanarArea, PlanarPolygon};
 pub use plane::Plane;
 pub use vincenty::Vincenty;
 

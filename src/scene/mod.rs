@@ -6,6 +6,7 @@
 //! | question | answers, the cheapest first |
 //! |---|---|
 //! | [`Scene::distances`] | [`Plane`](crate::geodesic::Plane), [`Flat`](crate::geodesic::Flat), the sphere of the best radius, [`Andoyer`](crate::geodesic::Andoyer), [`Vincenty`](crate::geodesic::Vincenty), [`Karney`](crate::geodesic::Karney) |
+//! | [`Scene::areas`] | [`PlanarArea`](crate::geodesic::PlanarArea), [`Area`](crate::geodesic::Area) |
 //! | [`Scene::positions`] | [`Expansion`] of the first order, of the second, [`LocalFrame`](crate::LocalFrame) |
 //! | [`Scene::scalar`] | `f32`, `f32` about an origin, `f64` |
 //! | [`Scene::figure`] | a sphere without a shift, a sphere with one, the ellipsoid |
@@ -82,6 +83,7 @@
 //! hold for spheres and oblate ellipsoids to f = 1/100 of any size; others are refused. `cargo test --release --test scene -- --ignored --nocapture` draws a million scenes of each kind and places in
 //! them: no bound is exceeded, half of the bounds are less than 1.4 times the largest error (of distances in `f64`), and where a cheaper model's error is less than a quarter of the tolerance it was taken in 97 of 100.
 
+mod areas;
 mod band;
 mod bounds;
 mod distances;
@@ -93,6 +95,7 @@ mod positions;
 mod scalar;
 mod tiles;
 
+pub use areas::{AnyArea, Areas, Surface};
 pub use distances::Distances;
 pub use error::SceneError;
 pub use expansion::Expansion;

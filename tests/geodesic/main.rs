@@ -13,7 +13,9 @@ mod great_circle;
 mod haversine;
 mod karney;
 mod methods;
+mod planar;
 mod poles;
+mod polygons;
 mod sample;
 mod stability;
 #[allow(dead_code)] // shared

@@ -3,6 +3,7 @@
     clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, missing_docs
 )]
 
+mod areas;
 mod cost;
 mod distances;
 mod draw;

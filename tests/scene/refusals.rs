@@ -1,7 +1,7 @@
 use fastrand::Rng;
 use terrella::Ellipsoid;
 use terrella::cube::Projection;
-use terrella::scene::{Model, Scene, SceneError};
+use terrella::scene::{Model, Scene, SceneError, Surface};
 
 fn earth() -> Scene {
     Scene::new(Ellipsoid::WGS84)
@@ -14,6 +14,8 @@ fn refused(scene: Scene) -> SceneError {
     let same = |other: SceneError| assert_eq!(format!("{other:?}"), format!("{error:?}"));
     same(scene.distances::<f32>().unwrap_err());
     same(scene.positions::<f64>().unwrap_err());
+    same(scene.areas::<f64>().unwrap_err());
+    same(scene.areas_by::<f32>(Surface::Plane).unwrap_err());
     same(scene.distances_by::<f64>(Model::Karney).unwrap_err());
     same(scene.figure().unwrap_err());
     same(scene.tiles(Projection::Adjusted).unwrap_err());
@@ -126,6 +128,9 @@ fn any_bits_are_answered() {
         }
         if let Ok(positions) = scene.positions::<f32>() {
             assert!(positions.bound() >= 0.0);
+        }
+        if let Ok(areas) = scene.areas::<f32>() {
+            assert!(areas.bound() >= 0.0 && areas.method().is_ok());
         }
         if let Ok(figure) = scene.figure() {
             assert!(figure.bound() >= 0.0);

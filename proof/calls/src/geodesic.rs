@@ -1,6 +1,6 @@
 use terrella::geodesic::{
     Andoyer, AndoyerSecond, AnyMethod, Area, Bowring, Flat, Geodesic, GreatCircle, Haversine, Karney, Line, Method,
-    PolygonArea, Straight, Vincenty,
+    PlanarArea, PlanarPolygon, PolygonArea, Straight, Vincenty,
 };
 use terrella::{Ellipsoid, Real};
 
@@ -200,4 +200,20 @@ fn area<T: Scalar, V: Visitor>(visitor: &mut V) {
         PolygonArea::add(&mut polygon, c);
         (PolygonArea::area(&polygon), PolygonArea::perimeter(&polygon))
     });
+    let field = |arguments: &mut Arguments| (arguments.ellipsoid::<T>(), three(arguments), arguments.short::<T>());
+    visitor.function::<T, _, _>(
+        "PlanarArea, triangles",
+        field,
+        |(ellipsoid, (origin, [a, b]), [c, d])| {
+            let local = PlanarArea::local(ellipsoid, origin).ok()?;
+            let absolute = PlanarArea::new(ellipsoid).ok()?;
+            Some([local, absolute].map(|area| {
+                let mut polygon = PlanarArea::polygon(&area);
+                for corner in [a, b, c, d] {
+                    PlanarPolygon::add(&mut polygon, corner);
+                }
+                PlanarPolygon::area(&polygon)
+            }))
+        },
+    );
 }

@@ -1,6 +1,6 @@
 use terrella::cube::Projection;
 use terrella::geodesic::{Geodesic, Plane};
-use terrella::scene::{Distances, Expansion, Figure, Model, Positions, Scene, View};
+use terrella::scene::{AnyArea, Areas, Distances, Expansion, Figure, Model, Positions, Scene, Surface, View};
 use terrella::{Ellipsoid, Shift};
 
 use crate::{Arguments, Function, Scalar, Visitor};
@@ -118,6 +118,24 @@ fn questions<T: Scalar, V: Visitor>(visitor: &mut V) {
             let way = Scene::distances_by::<T>(&scene, model).ok()?;
             let method = Distances::method(&way).ok()?;
             Some((method.inverse(from, to), method.direct(from, to.lon(), to.lat())))
+        },
+    );
+    visitor.visit::<f64, _, _>(
+        of("Scene, areas"),
+        |arguments| {
+            (
+                scene(arguments),
+                arguments.below(2) as usize,
+                arguments.short::<T>(),
+                arguments.place::<T>(),
+            )
+        },
+        |(scene, index, [a, b], c)| {
+            let taken = Scene::areas::<T>(&scene).ok().map(|areas| Areas::surface(&areas) as u8);
+            let surface = Surface::ALL.get(index).copied().unwrap_or(Surface::Plane);
+            let areas = Scene::areas_by::<T>(&scene, surface).ok()?;
+            let method = Areas::method(&areas).ok()?;
+            Some((taken, Areas::bound(&areas), AnyArea::area(&method, [a, b, c])))
         },
     );
     visitor.visit::<f64, _, _>(

@@ -9,10 +9,10 @@ use terrella::cube::{self, CubeMap, CubeProjection, FacePoint};
 use terrella::distortion::{Ground, Jacobian, Singular};
 use terrella::geodesic::{
     Andoyer, AndoyerSecond, Bowring, Direct, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Inverse, Karney,
-    Plane, Vincenty,
+    PlanarArea, Plane, Vincenty,
 };
 use terrella::latitude::UnsupportedFlattening;
-use terrella::scene::{Distances, Positions, Scene};
+use terrella::scene::{Areas, Distances, Positions, Scene};
 use terrella::{
     Direction, Ecef, Ellipsoid, Enu, Geodetic, InvalidDirection, InvalidLatLon, LatLon, LocalFrame, Shift, math,
 };
@@ -181,6 +181,20 @@ functions! {
     }
     plane_distance_from_place(place: &LatLon<T>, from: &LatLon<T>, to: &LatLon<T>) -> Option<T> {
         Some(Plane::local(Ellipsoid::wgs84(), *place).ok()?.inverse(*from, *to).ok()?.distance)
+    }
+    scene_field_area(corners: &[LatLon<T>]) -> Option<T> {
+        const AREAS: Areas<T> = match FIELD.within(0.05).areas() {
+            Ok(areas) => areas,
+            Err(_) => panic!(),
+        };
+        Some(AREAS.method().ok()?.area(corners.iter().copied()))
+    }
+    planar_area_about_place(place: &LatLon<T>, corners: &[LatLon<T>]) -> Option<T> {
+        let mut field = PlanarArea::local(Ellipsoid::wgs84(), *place).ok()?.polygon();
+        for corner in corners {
+            field.add(*corner);
+        }
+        Some(field.area())
     }
     scene_field_position(origin: &Geodetic<T>, position: &Geodetic<T>) -> Enu<T> {
         const SEEN: Positions<T> = match FIELD.within(0.05).positions() {

@@ -1,8 +1,13 @@
 use super::Area;
-use crate::geodesic::degrees::Split;
+use crate::geodesic::degrees::{Split, longitude_difference};
+use crate::geodesic::sum::Sum;
 use crate::{LatLon, Real};
 
 /// A polygon of geodesics: add its corners in order, then ask for its area and perimeter.
+///
+/// Corners may coincide, and edges may cross; the ring may run round a pole any number of times. A pole has a
+/// longitude: between two corners at the same pole the edge turns there. Between opposite meridians the edge
+/// goes over the pole that [`Karney::solve`](super::Karney::solve) takes.
 ///
 /// ```
 /// use terrella::geodesic::Area;
@@ -21,7 +26,8 @@ pub struct PolygonArea<'a, T> {
     area: &'a Area<T>,
     first: Option<LatLon<T>>,
     last: Option<LatLon<T>>,
-    under: Sum<T>,
+    /// What lies to the left of the edges, less whole ellipsoids: in (−½, ½] of one.
+    left: Sum<T>,
     perimeter: Sum<T>,
     /// Whether the edges have crossed the meridian 0 an odd number of times.
     odd: bool,
@@ -33,7 +39,7 @@ impl<'a, T: Real> PolygonArea<'a, T> {
             area,
             first: None,
             last: None,
-            under: Sum::default(),
+            left: Sum::default(),
             perimeter: Sum::default(),
             odd: false,
         }
@@ -48,81 +54,78 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         self.last = Some(corner);
     }
 
-    /// The area in m², positive if the corners run counter-clockwise, between plus and minus half of the ellipsoid's.
+    /// The area in m² to the left of the edges, less as many whole ellipsoids as bring it into (−½, ½] of
+    /// one: positive if the corners run counter-clockwise round less than a half, negative for a hole, whose
+    /// corners run clockwise, and positive for exactly a half. Of a ring that runs round several times each
+    /// time counts.
+    ///
+    /// The errors are those of [`Area`], added up over the edges.
     #[must_use]
     pub fn area(&self) -> T {
-        let mut closed = *self;
-        if let (Some(last), Some(first)) = (self.last, self.first) {
-            closed.edge(last, first);
-        }
-        let whole = T::of(4.0 * core::f64::consts::PI) * self.area.c2;
-        let half = whole * T::of(0.5);
-        let mut under = closed.under.value();
-        // Around a pole the areas under the edges leave half of the ellipsoid out.
+        let mut closed = self.closed();
+        // Round a pole the areas under the edges leave half of the ellipsoid out.
+        let whole = self.area.whole();
         if closed.odd {
-            under += half.copysign(-under);
+            add(&mut closed.left, whole.half());
+            reduce(&mut closed.left, whole);
         }
-        if under > half {
-            under - whole
-        } else if under < -half {
-            under + whole
-        } else {
-            under
-        }
+        let Split { angle, rest } = whole.half();
+        let (left, half) = (closed.left.value(), angle + rest);
+        // A half but for rounding is a half.
+        if left <= -half { half } else { left }
     }
 
     /// The length of all edges in metres, the closing one included.
     #[must_use]
     pub fn perimeter(&self) -> T {
+        self.closed().perimeter.value()
+    }
+
+    fn closed(&self) -> Self {
         let mut closed = *self;
         if let (Some(last), Some(first)) = (self.last, self.first) {
             closed.edge(last, first);
         }
-        closed.perimeter.value()
+        closed
     }
 
     fn edge(&mut self, from: LatLon<T>, to: LatLon<T>) {
-        self.perimeter.add(self.area.karney.solve(from, to).inverse.distance);
-        // Counter-clockwise about a region to the north of the equator runs east to west.
-        self.under.add(-self.area.under(from, to));
-        self.odd ^= crosses(from.lon(), to.lon());
+        let (distance, under) = self.area.edge(from, to);
+        self.perimeter.add(distance);
+        // Eastward the equator is to the right.
+        add(&mut self.left, opposite(under));
+        reduce(&mut self.left, self.area.whole());
+        // East or west as the geodesic itself goes: the meridian 0 counts to the east.
+        let east = longitude_difference(from, to).angle;
+        self.odd ^= match (from.lon() < T::ZERO, to.lon() < T::ZERO) {
+            (true, false) => east > T::ZERO,
+            (false, true) => east < T::ZERO,
+            _ => false,
+        };
     }
 }
 
-/// Whether the shortest way from one longitude to another crosses the meridian 0.
-fn crosses<T: Real>(from: T, to: T) -> bool {
-    let circle = T::of(360.0);
-    let difference = to - from;
-    let east = if difference > T::of(180.0) {
-        difference - circle
-    } else if difference <= T::of(-180.0) {
-        difference + circle
-    } else {
-        difference
-    };
-    match (from < T::ZERO, to < T::ZERO) {
-        (true, false) => east > T::ZERO,
-        (false, true) => east < T::ZERO,
-        _ => false,
+/// Adds a number and its rest.
+fn add<T: Real>(sum: &mut Sum<T>, value: Split<T>) {
+    sum.add(value.angle);
+    sum.low += value.rest;
+}
+
+/// A sum brought into (−½, ½] of a whole, from less than a whole outside.
+fn reduce<T: Real>(sum: &mut Sum<T>, whole: Split<T>) {
+    let half = whole.half();
+    let over = (sum.high - half.angle) + (sum.low - half.rest);
+    let under = (sum.high + half.angle) + (sum.low + half.rest);
+    if over > T::ZERO {
+        add(sum, opposite(whole));
+    } else if under <= T::ZERO {
+        add(sum, whole);
     }
 }
 
-/// A sum that keeps what each addition lost.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct Sum<T> {
-    high: T,
-    low: T,
-}
-
-impl<T: Real> Sum<T> {
-    fn add(&mut self, value: T) {
-        let Split { angle, rest } = Split::sum(self.high, value);
-        self.high = angle;
-        self.low += rest;
-    }
-
-    fn value(self) -> T {
-        self.high + self.low
+fn opposite<T: Real>(value: Split<T>) -> Split<T> {
+    Split {
+        angle: -value.angle,
+        rest: -value.rest,
     }
 }

@@ -1,0 +1,226 @@
+use core::marker::PhantomData;
+
+use super::band::{Band, DEGREE, Parallel, e2, hypot};
+use super::bounds::{middle_rounded, places_rounded, polar_radius, smallest};
+use super::{Bound, Scene, SceneError};
+use crate::geodesic::{Area, PlanarArea};
+use crate::latitude::UnsupportedFlattening;
+use crate::{LatLon, Real};
+
+/// The surfaces that areas are taken on, from the cheapest to the dearest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Surface {
+    /// [`PlanarArea`].
+    Plane,
+    /// [`Area`].
+    Ellipsoid,
+}
+
+impl Surface {
+    /// Both of them.
+    pub const ALL: [Self; 2] = [Self::Plane, Self::Ellipsoid];
+}
+
+/// A scene's model of areas: from [`Scene::areas`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Areas<T> {
+    surface: Surface,
+    bound: f64,
+    scene: Scene,
+    scalar: PhantomData<T>,
+}
+
+impl Scene {
+    /// The cheapest model of the areas of polygons that keeps the tolerance in a scalar.
+    ///
+    /// The tolerance is in metres here, too: the error of an area is at most the tolerance times the
+    /// perimeter, as if the boundary were drawn so far off. The scene's farthest distance is that between any
+    /// two corners, its nearest the length of the shortest edge: the dearer model needs one.
+    ///
+    /// For distances from n to s, σ = s/r, r = a(1 − f)², latitudes up to φ, the errors are at most the
+    /// perimeter times
+    ///
+    /// | model | metres | where |
+    /// |---|---|---|
+    /// | plane | s (0.038 e²σ² + 0.032 σ⁴) | σ ≤ 0.2 |
+    /// | ellipsoid | 10⁻¹⁵ a/cos(φ + σ/2) + 0.02 f m²/n; 0.1 m²/n if less | s ≤ 0.9 πb; beyond 10⁴ m²/n |
+    ///
+    /// and rounding: of the plane 3·10⁻¹⁶ s in `f64`, 1.2·10⁻⁷ s in `f32`. For the ellipsoid in `f32` the
+    /// constants are 6·10⁻⁷, 10⁷ m² and 6·10⁷ m², and beyond 0.9 πb there is no bound. In `f32` there is the
+    /// corners' own rounding, too: half a unit of latitude and longitude, 0.95 m at the equator; about an
+    /// origin 2⁻²⁴ of the way to it. Areas are the Earth's, and in proportion elsewhere.
+    ///
+    /// # Errors
+    /// [`SceneError::OutOfReach`] with the bound of the best model in this scalar; the others if the scene is
+    /// none.
+    ///
+    /// ```
+    /// use terrella::scene::{Areas, Scene, Surface};
+    /// use terrella::{Ellipsoid, LatLon};
+    /// // A kilometre about a farm, its boundaries to a millimetre, in f32 as degrees from its middle.
+    /// const FARM: Scene = Scene::around(Ellipsoid::WGS84, 52.0, 1000.0).local().within(0.001);
+    /// const AREAS: Areas<f32> = match FARM.areas() {
+    ///     Ok(areas) => areas,
+    ///     Err(_) => panic!("no model is good enough"), // would not compile
+    /// };
+    /// assert_eq!(AREAS.surface(), Surface::Plane);
+    /// let corners = [(0.0, 0.0), (0.0, 0.001), (0.001, 0.001), (0.001, 0.0)];
+    /// let corners = corners.map(|(north, east)| LatLon::new(north, east).unwrap());
+    /// assert!((AREAS.method()?.area(corners) - 7641.537).abs() < 0.005);
+    /// // Countries, their boundaries to 10 micrometres, no edge shorter than 10 km.
+    /// let countries = Scene::new(Ellipsoid::WGS84).latitudes(-60.0, 75.0).between(1e4, 1e7).within(1e-5);
+    /// assert_eq!(countries.areas::<f64>()?.surface(), Surface::Ellipsoid);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub const fn areas<T: Real>(&self) -> Result<Areas<T>, SceneError> {
+        if let Some(error) = self.fault() {
+            return Err(error);
+        }
+        let [plane, ellipsoid] = self.area_bounds(T::DIGITS < f64::MANTISSA_DIGITS);
+        if plane <= self.tolerance {
+            Ok(Areas::of(Surface::Plane, plane, *self))
+        } else if ellipsoid <= self.tolerance {
+            Ok(Areas::of(Surface::Ellipsoid, ellipsoid, *self))
+        } else {
+            Err(SceneError::OutOfReach(Bound {
+                distance: plane.min(ellipsoid),
+                azimuth: f64::INFINITY,
+            }))
+        }
+    }
+
+    /// A model of areas, whatever the tolerance: its [`bound`](Areas::bound) in this scene, infinite where
+    /// the model is none.
+    ///
+    /// # Errors
+    /// If the scene is none.
+    pub const fn areas_by<T: Real>(&self, surface: Surface) -> Result<Areas<T>, SceneError> {
+        if let Some(error) = self.fault() {
+            return Err(error);
+        }
+        let [plane, ellipsoid] = self.area_bounds(T::DIGITS < f64::MANTISSA_DIGITS);
+        let bound = match surface {
+            Surface::Plane => plane,
+            Surface::Ellipsoid => ellipsoid,
+        };
+        Ok(Areas::of(surface, bound, *self))
+    }
+
+    /// Of both surfaces: metres, to be multiplied with the perimeter.
+    const fn area_bounds(&self, single: bool) -> [f64; 2] {
+        let (ellipsoid, band, [near, far]) = (self.ellipsoid, Band::new(self.latitudes), self.distances);
+        let a = ellipsoid.a();
+        // An area is at most 0.29 of perimeter and diameter; a corner is moved by half of what two places
+        // are.
+        let input = match (single, self.local) {
+            (false, _) => 0.0,
+            (true, true) => {
+                let reach = hypot(a / (1.0 - ellipsoid.f()) * band.half, far);
+                0.5 * reach * f32::EPSILON as f64 + 0.29 * middle_rounded(band) * far
+            }
+            (true, false) => 0.5 * places_rounded(ellipsoid, band, 0.0),
+        };
+        let arc = far / smallest(ellipsoid);
+        let square = arc * arc;
+        let plane = if arc <= 0.2 {
+            let rounding = if single { 1.2e-7 } else { 3e-16 };
+            far * (0.038 * e2(ellipsoid) * square + 0.032 * square * square + rounding) + input
+        } else {
+            f64::INFINITY
+        };
+        // Of an edge in m²: of any, of a short one, and for each metre of the area under it, most where it is
+        // nearest to a pole.
+        let [any, short, under] = if single { [6e7, 1e7, 6e-7] } else { [0.1, 0.02, 1e-15] };
+        let (scale, half_circle) = (a / 6_378_137.0, core::f64::consts::PI * polar_radius(ellipsoid));
+        let nearest = Parallel::new((band.steepest.degrees + 0.5 * arc / DEGREE).min(90.0));
+        let per_metre = scale * scale / near.abs();
+        let short = if ellipsoid.f() > 0.0 {
+            short * ellipsoid.f() * per_metre
+        } else {
+            0.0
+        };
+        let edge = if self.local || (single && far > 0.9 * half_circle) {
+            f64::INFINITY
+        } else if far > 0.9 * half_circle {
+            1e4 * per_metre
+        } else {
+            (any * per_metre).min(short + under * a / nearest.cos)
+        };
+        [plane, edge + input]
+    }
+}
+
+impl<T: Real> Areas<T> {
+    const fn of(surface: Surface, bound: f64, scene: Scene) -> Self {
+        Self {
+            surface,
+            bound,
+            scene,
+            scalar: PhantomData,
+        }
+    }
+
+    /// The surface.
+    #[must_use]
+    pub const fn surface(&self) -> Surface {
+        self.surface
+    }
+
+    /// What times the perimeter no error of an area exceeds: metres.
+    #[must_use]
+    pub const fn bound(&self) -> f64 {
+        self.bound
+    }
+
+    /// The model, ready.
+    ///
+    /// # Errors
+    /// None: what a model could refuse, the scene has refused.
+    #[inline(always)]
+    pub fn method(&self) -> Result<AnyArea<T>, UnsupportedFlattening<T>> {
+        let ellipsoid = self.scene.ellipsoid.rounded();
+        match self.surface {
+            Surface::Plane if self.scene.local => {
+                let [south, north] = self.scene.latitudes;
+                let place = LatLon::within(T::of(0.5 * (south + north)), T::ZERO);
+                PlanarArea::local(ellipsoid, place).map(AnyArea::Plane)
+            }
+            Surface::Plane => PlanarArea::new(ellipsoid).map(AnyArea::Plane),
+            Surface::Ellipsoid => Area::new(ellipsoid).map(AnyArea::Ellipsoid),
+        }
+    }
+}
+
+/// The model that a scene chose, on its ellipsoid: [`Areas::method`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[allow(clippy::large_enum_variant)] // nothing here allocates
+pub enum AnyArea<T> {
+    /// [`Surface::Plane`].
+    Plane(PlanarArea<T>),
+    /// [`Surface::Ellipsoid`].
+    Ellipsoid(Area<T>),
+}
+
+impl<T: Real> AnyArea<T> {
+    /// The area in m² of the polygon with these corners, positive if they run counter-clockwise; of a
+    /// [local](Scene::local) scene they are given as degrees from the origin.
+    #[must_use]
+    #[inline(always)]
+    pub fn area(&self, corners: impl IntoIterator<Item = LatLon<T>>) -> T {
+        match self {
+            Self::Plane(area) => {
+                let mut polygon = area.polygon();
+                corners.into_iter().for_each(|corner| polygon.add(corner));
+                polygon.area()
+            }
+            Self::Ellipsoid(area) => {
+                let mut polygon = area.polygon();
+                corners.into_iter().for_each(|corner| polygon.add(corner));
+                polygon.area()
+            }
+        }
+    }
+}
