@@ -23,8 +23,6 @@ use crate::{Ellipsoid, LatLon, Real};
 ///
 /// Beyond, it grows with the cube of the distance and faster, up to hundreds of kilometres. `f32` adds 7e-7 of the distance, and 2 m to a position.
 ///
-/// Coincident places have azimuths 0.
-///
 /// ```
 /// use terrella::geodesic::{Bowring, Geodesic};
 /// use terrella::{Ellipsoid, LatLon};

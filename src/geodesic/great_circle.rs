@@ -1,6 +1,6 @@
 use super::degrees::{Split, heading, hypot, latitude_difference, longitude_difference, off_pole, wrapped};
 use super::{Direct, Geodesic, GeodesicError, Inverse};
-use crate::math::{atan2, atan2_degrees, sin_cos, sin_cos_degrees};
+use crate::math::{atan2, atan2_degrees, select, sin_cos, sin_cos_degrees};
 use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
 /// The great circle: the shortest line on a sphere, as accurate between neighbours and near the antipode as anywhere.
@@ -15,8 +15,7 @@ use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// | destination, up to half a circle away | 1.1e-15 rad | 6.0e-7 rad |
 /// | azimuth there × cosine of the latitude | 1.5e-15 rad | 8.0e-7 rad |
 ///
-/// Farther away the destination's error grows by 1e-16 (6e-8) of the distance. Between coincident places both azimuths are 0. Between antipodes they are one pair of the infinitely many.
-/// At a pole an azimuth counts from the meridian of the given longitude. As a model of the Earth, whatever the radius, a
+/// Farther away the destination's error grows by 1e-16 (6e-8) of the distance. As a model of the Earth, whatever the radius, a
 /// sphere is up to 0.56 % off.
 ///
 /// ```
@@ -64,7 +63,7 @@ impl<T: Real> Delambre<T> {
     }
 
     #[inline(always)]
-    fn between(from: LatLon<T>, to: LatLon<T>) -> Self {
+    pub fn between(from: LatLon<T>, to: LatLon<T>) -> Self {
         Self::new(
             longitude_difference(from, to).half().sin_cos(),
             latitude_difference(from, to).half().sin_cos(),
@@ -85,8 +84,13 @@ impl<T: Real> Delambre<T> {
     /// The azimuths at both ends.
     #[inline(always)]
     pub fn azimuths(&self) -> (T, T) {
-        let sum = atan2_degrees(self.sum.0, self.sum.1);
-        let difference = atan2_degrees(self.difference.0, self.difference.1);
+        // Between coincident places any sum will do, between antipodes any difference: the line starts to the north.
+        let none = |(sin, cos): (T, T)| (sin == T::ZERO) & (cos == T::ZERO);
+        let choose = |open, (s1, c1): (T, T), (s2, c2): (T, T)| (select(open, s1, s2), select(open, c1, c2));
+        let (sin_sum, cos_sum) = choose(none(self.sum), self.difference, self.sum);
+        let (sin_difference, cos_difference) = choose(none(self.difference), self.sum, self.difference);
+        let sum = atan2_degrees(sin_sum, cos_sum);
+        let difference = atan2_degrees(sin_difference, cos_difference);
         (wrapped(sum - difference), wrapped(sum + difference))
     }
 }

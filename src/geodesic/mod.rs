@@ -31,6 +31,19 @@ pub use plane::Plane;
 pub use vincenty::Vincenty;
 
 /// A method that solves the two problems of geodesy.
+///
+/// The distance and both azimuths of an [`Inverse`] are those of one line: from the first place along `azimuth1` for `distance` it
+/// leads to the second place, and arrives there with `azimuth2`. Of several shortest lines all three numbers are of the same one.
+///
+/// At a pole an azimuth counts from the meridian of the longitude that is given with the pole. Some pairs of places leave the
+/// azimuths open. There every method has the same rule, and the line starts to the north, with `azimuth1` = 0:
+///
+/// | places | distance | `azimuth2` |
+/// |---|---|---|
+/// | coincident | 0 | 0 |
+/// | the same pole, by two longitudes | 0 | λ₂ − λ₁ at the north pole, λ₁ − λ₂ at the south pole |
+/// | from pole to pole | half of a meridian | λ₂ − λ₁ at the north pole, λ₁ − λ₂ at the south pole |
+/// | antipodes on a sphere | half of a circle | 180 |
 pub trait Geodesic<T: Real> {
     /// From two places to the distance between them and the azimuths at both.
     ///
