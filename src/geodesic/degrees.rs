@@ -108,11 +108,19 @@ pub(super) fn off_pole<T: Real>(cos: T) -> T {
 #[inline(always)]
 pub(super) fn northward_between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, line: Inverse<T>) -> Inverse<T> {
     let right = T::of(90.0);
-    let poles = (from.lat().abs() == right) & (to.lat().abs() == right);
+    if (from.lat().abs() == right) & (to.lat().abs() == right) {
+        return between_poles(from, to, line.distance);
+    }
+    line
+}
+
+#[cold]
+#[inline(never)]
+fn between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, distance: T) -> Inverse<T> {
     let Split { angle, rest } = longitude_difference(from, to);
     Inverse {
-        distance: select(poles & (from.lat() == to.lat()), T::ZERO, line.distance),
-        azimuth1: select(poles, T::ZERO, line.azimuth1),
-        azimuth2: select(poles, (angle + rest) * T::ONE.copysign(to.lat()), line.azimuth2),
+        distance: select(from.lat() == to.lat(), T::ZERO, distance),
+        azimuth1: T::ZERO,
+        azimuth2: (angle + rest) * T::ONE.copysign(to.lat()),
     }
 }

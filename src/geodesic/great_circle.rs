@@ -84,13 +84,14 @@ impl<T: Real> Delambre<T> {
     /// The azimuths at both ends.
     #[inline(always)]
     pub fn azimuths(&self) -> (T, T) {
+        let angle = |(sin, cos): (T, T)| atan2_degrees(sin, cos);
+        let (sum, difference) = (angle(self.sum), angle(self.difference));
         // Between coincident places any sum will do, between antipodes any difference: the line starts to the north.
-        let none = |(sin, cos): (T, T)| (sin == T::ZERO) & (cos == T::ZERO);
-        let choose = |open, (s1, c1): (T, T), (s2, c2): (T, T)| (select(open, s1, s2), select(open, c1, c2));
-        let (sin_sum, cos_sum) = choose(none(self.sum), self.difference, self.sum);
-        let (sin_difference, cos_difference) = choose(none(self.difference), self.sum, self.difference);
-        let sum = atan2_degrees(sin_sum, cos_sum);
-        let difference = atan2_degrees(sin_difference, cos_difference);
+        let open = |(sin, cos): (T, T)| (sin == T::ZERO) & (cos == T::ZERO);
+        let (sum, difference) = (
+            select(open(self.sum), difference, sum),
+            select(open(self.difference), sum, difference),
+        );
         (wrapped(sum - difference), wrapped(sum + difference))
     }
 }
