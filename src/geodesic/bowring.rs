@@ -1,5 +1,5 @@
 use super::auxiliary::nearly_round;
-use super::degrees::{heading, latitude_difference, longitude_difference, wrapped};
+use super::degrees::{heading, latitude_difference, longitude_difference, northward_between_poles, wrapped};
 use super::great_circle::{Delambre, end};
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::latitude::UnsupportedFlattening;
@@ -93,11 +93,12 @@ impl<T: Real> Geodesic<T> for Bowring<T> {
         let middle = (u.0 * cos_d + u.1 * sin_d, u.1 * cos_d - u.0 * sin_d);
         let line = Delambre::new(sin_cos(w), (sin_d, cos_d), middle);
         let (azimuth1, azimuth2) = line.azimuths();
-        Ok(Inverse {
+        let line = Inverse {
             distance: line.angle() * radius,
             azimuth1,
             azimuth2,
-        })
+        };
+        Ok(northward_between_poles(from, to, line))
     }
 
     #[inline]

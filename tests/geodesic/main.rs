@@ -5,6 +5,7 @@
 
 mod along;
 mod andoyer;
+mod azimuths;
 mod bowring;
 mod equator;
 mod evaluations;
