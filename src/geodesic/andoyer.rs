@@ -77,9 +77,10 @@ impl<T: Real> Geodesic<T> for Andoyer<T> {
         let start = Start::new(self.axes, from, heading(azimuth, distance)?);
         // With the λ reached s = a(σ(1 − f) + f/2 cos²α (σ − sin σ cos 2σₘ)); solved for σ to the first order.
         let half = T::of(0.5) * self.f * start.cos2_alpha;
-        let whole = distance / (self.a * (self.axes + half));
+        let radius = self.a * (self.axes + half);
+        let whole = distance / radius;
         if !whole.is_finite() {
-            return Err(GeodesicError::Distance(distance));
+            return Err(GeodesicError::quotient(distance, radius));
         }
         let tau = whole.remainder(T::of(2.0 * core::f64::consts::PI));
         let turn = sin_cos(tau);

@@ -104,9 +104,10 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let start = Start::new(self.axes, from, heading(azimuth, distance)?);
         let series = self.series(start.cos2_alpha);
-        let whole = distance / (self.a * (self.axes * series.a1));
+        let radius = self.a * (self.axes * series.a1);
+        let whole = distance / radius;
         if !whole.is_finite() {
-            return Err(GeodesicError::Distance(distance));
+            return Err(GeodesicError::quotient(distance, radius));
         }
         let tau = whole.remainder(T::of(2.0 * core::f64::consts::PI));
         let mut sigma = tau;

@@ -106,7 +106,7 @@ impl<T: Real> Geodesic<T> for Bowring<T> {
         let of = T::of;
         let heading = heading(azimuth, distance)?;
         let Sphere { a, b, radius, u } = self.sphere(from.lat());
-        let angle = (distance / radius).remainder(of(2.0 * core::f64::consts::PI));
+        let angle = distance.remainder(radius * of(2.0 * core::f64::consts::PI)) / radius;
         let end = end(u, heading, sin_cos(angle), T::ONE);
         let d = (end.lat - atan2_degrees(u.0, u.1)) * of(0.5);
         let (sin, _) = sin_cos_degrees(from.lat() * of(2.0) + b * d * of(4.0 / 3.0));

@@ -105,6 +105,13 @@ impl<T: Real> GreatCircle<T> {
         Ellipsoid::sphere(radius).map(|_| Self { radius })
     }
 
+    /// On the sphere of an ellipsoid's mean radius, which is one wherever the ellipsoid is.
+    pub(crate) fn mean(ellipsoid: Ellipsoid<T>) -> Self {
+        Self {
+            radius: ellipsoid.mean_radius(),
+        }
+    }
+
     /// The radius in metres.
     #[must_use]
     #[inline(always)]
@@ -161,7 +168,7 @@ impl<T: Real> GreatCircle<T> {
     /// Worst error that of the destination. Between antipodes, on the way that [`Geodesic::inverse`] takes.
     ///
     /// # Errors
-    /// [`GeodesicError::Distance`] if the fraction, or it times the distance, is not finite.
+    /// [`GeodesicError::Fraction`] if the fraction, or it times the distance, is not finite.
     ///
     /// ```
     /// use terrella::{LatLon, geodesic::GreatCircle};
@@ -173,7 +180,9 @@ impl<T: Real> GreatCircle<T> {
     pub fn intermediate(&self, from: LatLon<T>, to: LatLon<T>, fraction: T) -> Result<LatLon<T>, GeodesicError<T>> {
         let line = Delambre::between(from, to);
         let distance = line.angle() * self.radius * fraction;
-        self.direct(from, line.azimuths().0, distance).map(|end| end.position)
+        let end = self.direct(from, line.azimuths().0, distance);
+        end.map(|end| end.position)
+            .map_err(|_| GeodesicError::Fraction(fraction))
     }
 
     /// Halfway between two places.

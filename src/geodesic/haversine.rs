@@ -2,7 +2,7 @@ use super::degrees::{hypot, latitude_difference, longitude_difference};
 use super::great_circle::Delambre;
 use super::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse};
 use crate::math::{atan2, min, sin_cos_degrees};
-use crate::{InvalidEllipsoid, LatLon, Real};
+use crate::{Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
 /// The great circle by the haversine formula, as most programs have it.
 ///
@@ -40,6 +40,13 @@ impl<T: Real> Haversine<T> {
     /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.
     pub fn new(radius: T) -> Result<Self, InvalidEllipsoid<T>> {
         GreatCircle::new(radius).map(|sphere| Self { sphere })
+    }
+
+    /// On the sphere of an ellipsoid's mean radius.
+    pub(super) fn mean(ellipsoid: Ellipsoid<T>) -> Self {
+        Self {
+            sphere: GreatCircle::mean(ellipsoid),
+        }
     }
 }
 
