@@ -20,6 +20,7 @@ mod stability;
 #[allow(dead_code)] // shared
 #[path = "../accuracy/table.rs"]
 mod table;
+mod track;
 #[allow(dead_code)] // shared
 #[path = "../accuracy/truth.rs"]
 mod truth;
