@@ -3,7 +3,7 @@
 
 use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFacePoint, Projection, QuadCube};
-use terrella::geodesic::{GeodesicError, Karney, Straight, Vincenty};
+use terrella::geodesic::{Geodesic, GeodesicError, Karney, Straight, Vincenty};
 use terrella::latitude::{Conversion, InvalidLatitude};
 use terrella::{
     Direction, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon,
@@ -298,7 +298,9 @@ fn geodesics_that_are_refused() {
     );
     assert_eq!(
         refused(0.0, 0.0, 1e15),
-        element(InvalidProblem::Geodesic(GeodesicError::Distance(1e15)))
+        element(InvalidProblem::Geodesic(
+            earth.direct(LatLon::new(0.0, 0.0).unwrap(), 0.0, 1e15).unwrap_err()
+        ))
     );
     let mut lines = [[0.0; 2], [0.0; 2], [0.0; 2]];
     let [a, b, c] = &mut lines;

@@ -1,5 +1,5 @@
 use super::auxiliary::{Ends, Start, nearly_round};
-use super::degrees::{heading, wrapped};
+use super::degrees::{heading, northward_between_poles, wrapped};
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::sin_cos;
@@ -25,8 +25,6 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | any number of times around | – | – | 1.5e-6 s |
 ///
 /// On other ellipsoids it grows with f², and on a sphere it is that of [`GreatCircle`](super::GreatCircle). `f32` adds 7e-7 of the distance.
-///
-/// Coincident places have azimuths 0.
 ///
 /// ```
 /// use terrella::geodesic::{Andoyer, Geodesic};
@@ -66,11 +64,12 @@ impl<T: Real> Geodesic<T> for Andoyer<T> {
         let arc = ends.arc(ends.lon);
         let lacking = T::of(0.5) * self.f * arc.cos2_alpha * (arc.sigma + arc.sin_sigma * arc.cos_middle);
         let (azimuth1, azimuth2) = ends.azimuths_after(&arc, self.f * arc.sin_alpha * arc.sigma);
-        Ok(Inverse {
+        let line = Inverse {
             distance: self.a * (arc.sigma - lacking),
             azimuth1,
             azimuth2,
-        })
+        };
+        Ok(northward_between_poles(from, to, line))
     }
 
     #[inline]
@@ -78,9 +77,10 @@ impl<T: Real> Geodesic<T> for Andoyer<T> {
         let start = Start::new(self.axes, from, heading(azimuth, distance)?);
         // With the λ reached s = a(σ(1 − f) + f/2 cos²α (σ − sin σ cos 2σₘ)); solved for σ to the first order.
         let half = T::of(0.5) * self.f * start.cos2_alpha;
-        let whole = distance / (self.a * (self.axes + half));
+        let radius = self.a * (self.axes + half);
+        let whole = distance / radius;
         if !whole.is_finite() {
-            return Err(GeodesicError::Distance(distance));
+            return Err(GeodesicError::quotient(distance, radius));
         }
         let tau = whole.remainder(T::of(2.0 * core::f64::consts::PI));
         let turn = sin_cos(tau);

@@ -1,5 +1,5 @@
 use super::auxiliary::{Ends, Start, nearly_round, waves};
-use super::degrees::{heading, wrapped};
+use super::degrees::{heading, northward_between_poles, wrapped};
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::{max, min, sin_cos};
@@ -23,8 +23,6 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | any number of times around | – | – | 1.5e-9 s |
 ///
 /// On other ellipsoids it grows with f³, and on a sphere it is that of [`GreatCircle`](super::GreatCircle). `f32` adds 7e-7 of the distance.
-///
-/// Coincident places have azimuths 0.
 ///
 /// ```
 /// use terrella::geodesic::{AndoyerSecond, Geodesic};
@@ -94,20 +92,22 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
         let arc = ends.arc(max(min(ends.lon + shift / max(slope, T::of(0.5)), T::of(2.0)), T::ZERO));
         let series = self.series(arc.cos2_alpha);
         let (azimuth1, azimuth2) = arc.azimuths();
-        Ok(Inverse {
+        let line = Inverse {
             distance: self.a * (self.axes * series.a1 * (arc.sigma + arc.waves(&series.c1, 2))),
             azimuth1,
             azimuth2,
-        })
+        };
+        Ok(northward_between_poles(from, to, line))
     }
 
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let start = Start::new(self.axes, from, heading(azimuth, distance)?);
         let series = self.series(start.cos2_alpha);
-        let whole = distance / (self.a * (self.axes * series.a1));
+        let radius = self.a * (self.axes * series.a1);
+        let whole = distance / radius;
         if !whole.is_finite() {
-            return Err(GeodesicError::Distance(distance));
+            return Err(GeodesicError::quotient(distance, radius));
         }
         let tau = whole.remainder(T::of(2.0 * core::f64::consts::PI));
         let mut sigma = tau;

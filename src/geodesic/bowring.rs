@@ -1,5 +1,5 @@
 use super::auxiliary::nearly_round;
-use super::degrees::{heading, latitude_difference, longitude_difference, wrapped};
+use super::degrees::{heading, latitude_difference, longitude_difference, northward_between_poles, wrapped};
 use super::great_circle::{Delambre, end};
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::latitude::UnsupportedFlattening;
@@ -22,8 +22,6 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 1000 km | 5 | 6 |
 ///
 /// Beyond, it grows with the cube of the distance and faster, up to hundreds of kilometres. `f32` adds 7e-7 of the distance, and 2 m to a position.
-///
-/// Coincident places have azimuths 0.
 ///
 /// ```
 /// use terrella::geodesic::{Bowring, Geodesic};
@@ -95,11 +93,12 @@ impl<T: Real> Geodesic<T> for Bowring<T> {
         let middle = (u.0 * cos_d + u.1 * sin_d, u.1 * cos_d - u.0 * sin_d);
         let line = Delambre::new(sin_cos(w), (sin_d, cos_d), middle);
         let (azimuth1, azimuth2) = line.azimuths();
-        Ok(Inverse {
+        let line = Inverse {
             distance: line.angle() * radius,
             azimuth1,
             azimuth2,
-        })
+        };
+        Ok(northward_between_poles(from, to, line))
     }
 
     #[inline]
@@ -107,7 +106,7 @@ impl<T: Real> Geodesic<T> for Bowring<T> {
         let of = T::of;
         let heading = heading(azimuth, distance)?;
         let Sphere { a, b, radius, u } = self.sphere(from.lat());
-        let angle = (distance / radius).remainder(of(2.0 * core::f64::consts::PI));
+        let angle = distance.remainder(radius * of(2.0 * core::f64::consts::PI)) / radius;
         let end = end(u, heading, sin_cos(angle), T::ONE);
         let d = (end.lat - atan2_degrees(u.0, u.1)) * of(0.5);
         let (sin, _) = sin_cos_degrees(from.lat() * of(2.0) + b * d * of(4.0 / 3.0));

@@ -1,6 +1,6 @@
 //! Angles in degrees for the methods: differences with what their rounding lost, and what is done at every method's door.
 
-use super::GeodesicError;
+use super::{GeodesicError, Inverse};
 use crate::math::{either, max, select, sin_cos_degrees};
 use crate::{LatLon, Real};
 
@@ -102,4 +102,25 @@ pub(super) fn hypot<T: Real>(x: T, y: T) -> T {
 pub(super) fn off_pole<T: Real>(cos: T) -> T {
     // 2^−511 and 2^−60: their squares are normal numbers still.
     max(cos, T::pick(1.491_668_146_240_041_3e-154, 8.673_617_4e-19))
+}
+
+/// A line as it is; between poles, where it may be any meridian, the one that starts to the north ([`Geodesic`](super::Geodesic)).
+#[inline(always)]
+pub(super) fn northward_between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, line: Inverse<T>) -> Inverse<T> {
+    let right = T::of(90.0);
+    if (from.lat().abs() == right) & (to.lat().abs() == right) {
+        return between_poles(from, to, line.distance);
+    }
+    line
+}
+
+#[cold]
+#[inline(never)]
+fn between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, distance: T) -> Inverse<T> {
+    let Split { angle, rest } = longitude_difference(from, to);
+    Inverse {
+        distance: select(from.lat() == to.lat(), T::ZERO, distance),
+        azimuth1: T::ZERO,
+        azimuth2: (angle + rest) * T::ONE.copysign(to.lat()),
+    }
 }

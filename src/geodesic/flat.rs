@@ -21,8 +21,6 @@ use crate::{Ellipsoid, LatLon, Real};
 /// It grows with the cube of the distance. Nearer to a pole than ten distances, and beyond 1000 km anywhere, the plane is no model: the numbers
 /// are finite, and up to as wrong as they are large. `f32` adds 7e-7 of the distance, and 2 m to a position.
 ///
-/// Coincident places have azimuths 0.
-///
 /// ```
 /// use terrella::geodesic::{Flat, Geodesic};
 /// use terrella::{Ellipsoid, LatLon};

@@ -1,7 +1,8 @@
 use super::degrees::{hypot, latitude_difference, longitude_difference};
+use super::great_circle::Delambre;
 use super::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse};
-use crate::math::{atan2, atan2_degrees, min, sin_cos_degrees};
-use crate::{InvalidEllipsoid, LatLon, Real};
+use crate::math::{atan2, min, sin_cos_degrees};
+use crate::{Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
 /// The great circle by the haversine formula, as most programs have it.
 ///
@@ -16,7 +17,7 @@ use crate::{InvalidEllipsoid, LatLon, Real};
 /// | 0.1° | 6.6e-13 rad, 4 µm | 3.7e-4 rad, 2.4 km |
 /// | 0 | 4.3e-8 rad, 0.3 m | 1.0e-3 rad, 6.4 km |
 ///
-/// Direct: that of [`GreatCircle`]. Never an error in the inverse, never NaN. Coincident places and poles as there.
+/// Azimuths and the direct problem: those of [`GreatCircle`]. Never an error in the inverse, never NaN.
 ///
 /// ```
 /// use terrella::LatLon;
@@ -40,6 +41,13 @@ impl<T: Real> Haversine<T> {
     pub fn new(radius: T) -> Result<Self, InvalidEllipsoid<T>> {
         GreatCircle::new(radius).map(|sphere| Self { sphere })
     }
+
+    /// On the sphere of an ellipsoid's mean radius.
+    pub(super) fn mean(ellipsoid: Ellipsoid<T>) -> Self {
+        Self {
+            sphere: GreatCircle::mean(ellipsoid),
+        }
+    }
 }
 
 impl<T: Real> Geodesic<T> for Haversine<T> {
@@ -47,19 +55,18 @@ impl<T: Real> Geodesic<T> for Haversine<T> {
     #[cfg_attr(small, inline(always))]
     #[cfg_attr(not(small), inline)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        let (sin1, cos1) = sin_cos_degrees(from.lat());
-        let (sin2, cos2) = sin_cos_degrees(to.lat());
-        let two = T::of(2.0);
-        let (sin_lat, cos_lat) = latitude_difference(from, to).half().sin_cos();
-        let (sin_lon, cos_lon) = longitude_difference(from, to).half().sin_cos();
+        let (_, cos1) = sin_cos_degrees(from.lat());
+        let (_, cos2) = sin_cos_degrees(to.lat());
+        let (sin_lat, _) = latitude_difference(from, to).half().sin_cos();
+        let (sin_lon, _) = longitude_difference(from, to).half().sin_cos();
         // The root of the haversine, without squares: they would underflow.
         let half = min(hypot(sin_lat, (cos1 * cos2).sqrt() * sin_lon), T::ONE);
-        let east = two * sin_lon * cos_lon;
-        let (south, lift) = (two * sin_lat * cos_lat, two * sin_lon * sin_lon);
+        let angle = T::of(2.0) * atan2(half, ((T::ONE - half) * (T::ONE + half)).sqrt());
+        let (azimuth1, azimuth2) = Delambre::between(from, to).azimuths();
         Ok(Inverse {
-            distance: two * atan2(half, ((T::ONE - half) * (T::ONE + half)).sqrt()) * self.sphere.radius(),
-            azimuth1: atan2_degrees(cos2 * east, south + sin1 * cos2 * lift),
-            azimuth2: atan2_degrees(cos1 * east, south - sin2 * cos1 * lift),
+            distance: angle * self.sphere.radius(),
+            azimuth1,
+            azimuth2,
         })
     }
 

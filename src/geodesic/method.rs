@@ -47,7 +47,7 @@ macro_rules! methods {
             /// The method on an ellipsoid; those of the sphere take the one of mean radius.
             ///
             /// # Errors
-            /// [`UnsupportedFlattening`] if the method does not hold for this ellipsoid.
+            /// [`UnsupportedFlattening`] if the method does not hold for this ellipsoid; never for those of the sphere.
             pub fn on<T: Real>(self, ellipsoid: Ellipsoid<T>) -> Result<AnyMethod<T>, UnsupportedFlattening<T>> {
                 match self {
                     $(
@@ -88,9 +88,8 @@ macro_rules! methods {
 }
 
 methods! {
-    haversine::Haversine "haversine" |e| haversine::Haversine::new(e.mean_radius()).map_err(|_| UnsupportedFlattening(e.f())),
-    great_circle::GreatCircle "great-circle"
-        |e| great_circle::GreatCircle::new(e.mean_radius()).map_err(|_| UnsupportedFlattening(e.f())),
+    haversine::Haversine "haversine" |e| Ok(haversine::Haversine::mean(e)),
+    great_circle::GreatCircle "great-circle" |e| Ok(great_circle::GreatCircle::mean(e)),
     flat::Flat "flat" |e| flat::Flat::new(e),
     bowring::Bowring "bowring" |e| bowring::Bowring::new(e),
     andoyer::Andoyer "andoyer" |e| andoyer::Andoyer::new(e),

@@ -1,6 +1,8 @@
 //! The plane between two places, whose scales are those of the middle latitude: what the flat methods share.
 
-use super::degrees::{Split, heading, hypot, latitude_difference, longitude_difference, wrapped};
+use super::degrees::{
+    Split, heading, hypot, latitude_difference, longitude_difference, northward_between_poles, wrapped,
+};
 use super::{Direct, GeodesicError, Inverse};
 use crate::math::{atan2_degrees, max, min, select, sin_cos_degrees};
 use crate::{LatLon, Real};
@@ -21,11 +23,12 @@ pub(super) fn inverse<T: Real>(from: LatLon<T>, to: LatLon<T>, scale: impl Fn(Sp
     let (north, east) = ((lat.angle + lat.rest) * scale.north, lon * scale.east);
     let azimuth = atan2_degrees(east, north);
     let convergence = T::of(0.5) * lon * scale.sin;
-    Inverse {
+    let line = Inverse {
         distance: hypot(north, east),
         azimuth1: wrapped(azimuth - convergence),
         azimuth2: wrapped(azimuth + convergence),
-    }
+    };
+    northward_between_poles(from, to, line)
 }
 
 /// Three steps toward the middle latitude of where it leads.

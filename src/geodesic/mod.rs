@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::math::min;
 use crate::{LatLon, Real};
 
 mod andoyer;
@@ -34,6 +35,19 @@ pub use plane::Plane;
 pub use vincenty::Vincenty;
 
 /// A method that solves the two problems of geodesy.
+///
+/// The distance and both azimuths of an [`Inverse`] are those of one line: from the first place along `azimuth1` for `distance` it
+/// leads to the second place, and arrives there with `azimuth2`. Of several shortest lines all three numbers are of the same one.
+///
+/// At a pole an azimuth counts from the meridian of the longitude that is given with the pole. Some pairs of places leave the
+/// azimuths open. There every method has the same rule, and the line starts to the north, with `azimuth1` = 0:
+///
+/// | places | distance | `azimuth2` |
+/// |---|---|---|
+/// | coincident | 0 | 0 |
+/// | the same pole, by two longitudes | 0 | λ₂ − λ₁ at the north pole, λ₁ − λ₂ at the south pole |
+/// | from pole to pole | half of a meridian | λ₂ − λ₁ at the north pole, λ₁ − λ₂ at the south pole |
+/// | antipodes on a sphere | half of a circle | 180 |
 pub trait Geodesic<T: Real> {
     /// From two places to the distance between them and the azimuths at both.
     ///
@@ -45,6 +59,7 @@ pub trait Geodesic<T: Real> {
     ///
     /// # Errors
     /// [`GeodesicError::Azimuth`] and [`GeodesicError::Distance`] for what is not finite; else what the method's own documentation says.
+    /// On ellipsoids of metres or less some methods refuse the largest numbers as [`GeodesicError::TooFar`].
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>>;
 }
 
@@ -99,8 +114,33 @@ pub enum GeodesicError<T> {
     Azimuth(T),
     /// A distance that is infinite or not a number.
     Distance(T),
+    /// A distance, forward or back, that is longer than the method can go.
+    TooFar {
+        /// The distance in metres.
+        distance: T,
+        /// The longest that this method goes from there at this azimuth, in metres.
+        limit: T,
+    },
+    /// A part of a way that is infinite or not a number, or that makes the distance so.
+    Fraction(T),
     /// The iteration did not converge between these places: they are nearly antipodal.
     NotConverged(LatLon<T>, LatLon<T>),
+}
+
+impl<T: Real> GeodesicError<T> {
+    /// A distance that is refused, and the longest that is not.
+    pub(crate) fn refused(distance: T, limit: T) -> Self {
+        if distance.is_finite() {
+            Self::TooFar { distance, limit }
+        } else {
+            Self::Distance(distance)
+        }
+    }
+
+    /// A finite distance whose quotient by so many metres is none.
+    pub(crate) fn quotient(distance: T, metres: T) -> Self {
+        Self::refused(distance, min(metres, T::ONE) * T::pick(f64::MAX, f32::MAX))
+    }
 }
 
 impl<T: fmt::Debug> fmt::Display for GeodesicError<T> {
@@ -108,6 +148,8 @@ impl<T: fmt::Debug> fmt::Display for GeodesicError<T> {
         match self {
             Self::Azimuth(azimuth) => write!(f, "azimuth {azimuth:?} is not finite"),
             Self::Distance(distance) => write!(f, "distance {distance:?} is not finite"),
+            Self::TooFar { distance, limit } => write!(f, "distance {distance:?} is longer than {limit:?} metres"),
+            Self::Fraction(fraction) => write!(f, "fraction {fraction:?} makes no finite distance"),
             Self::NotConverged(from, to) => write!(f, "no convergence from {from:?} to {to:?}"),
         }
     }

@@ -60,7 +60,7 @@ impl<T: Real> Vincenty<T> {
     /// How often the longitude is evaluated between two places, or none if it does not converge: what they cost near the antipode.
     #[must_use]
     pub fn evaluations(&self, from: LatLon<T>, to: LatLon<T>) -> Option<usize> {
-        self.ordinary.evaluations(from, to)
+        self.ordinary.whole(from, to).map(|line| line.evaluations)
     }
 }
 

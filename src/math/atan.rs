@@ -17,7 +17,8 @@ pub fn atan<T: Real>(x: T) -> T {
 
 /// The angle of the point (x, y) from the x axis, in radians, in [−π, π].
 ///
-/// Within 0.85 ulp, for numbers of any size. The signs of zero count as in C's `atan2`, and (0, 0) gives 0 or π.
+/// Within 0.85 ulp, for finite numbers of any size. The signs of zero count as in C's `atan2`, and (0, 0) gives 0 or π. Of an infinite
+/// number or a NaN, NaN.
 ///
 /// ```
 /// assert_eq!(terrella::math::atan2(1.0_f64, -1.0), 0.75 * core::f64::consts::PI);
@@ -30,7 +31,7 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
 
 /// The angle of the point (x, y) from the x axis, in degrees, in [−180, 180].
 ///
-/// Within 0.85 ulp, exact on the axes and the diagonals; signs of zero as for [`atan2`].
+/// Within 0.85 ulp, exact on the axes and the diagonals; signs of zero, infinity and NaN as for [`atan2`].
 ///
 /// ```
 /// assert_eq!(terrella::math::atan2_degrees(-1.0_f32, 1.0), -45.0);
@@ -59,7 +60,7 @@ pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
 #[cfg_attr(not(small), inline(always))]
 pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
     let width = x.abs();
-    let (low, high) = (min(y, width), max(y, width));
+    let (low, high) = (min(y, width), max(width, y));
     let middle = either(low > high * T::of(core::f64::consts::SQRT_2 - 1.0), T::ONE);
     let least = T::pick(1e-300, 1e-37);
     let tangent = (low - middle * high) / max(high + middle * low, least);
@@ -108,7 +109,8 @@ impl<T: Real> Reduced<T> {
     fn new(y: T, x: T) -> Self {
         let side = T::ONE.copysign(x);
         let (y, x) = (y.abs(), x.abs());
-        let (larger, smaller) = (max(x, y), min(x, y));
+        // In this order a NaN on either side is one of the two.
+        let (larger, smaller) = (max(x, y), min(y, x));
         // Far from the ends of the scalar's range: 2^±200 (2^±40) brings there what is not.
         let grow = T::pick(1.606_938_044_258_990_3e60, 1.099_511_6e12);
         let shrink = T::pick(6.223_015_277_861_142e-61, 9.094_947e-13);

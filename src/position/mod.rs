@@ -24,5 +24,5 @@ pub(crate) fn angle_degrees<T: Real>(y: T, x: T) -> T {
     let grow = T::pick(1.606_938_044_258_990_3e60, 1.152_921_5e18);
     let scale = select(tiny, grow, select(huge, T::of(0.125), T::ONE));
     let angle = atan2_degrees(y * scale, x * scale);
-    select(largest == T::ZERO, T::ZERO, angle)
+    select((y == T::ZERO) & (x == T::ZERO), T::ZERO, angle)
 }

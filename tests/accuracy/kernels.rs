@@ -48,6 +48,31 @@ fn against_double<K: Kernel>() -> f64 {
     worst.value()
 }
 
+/// Whatever argument is no number, no result is one: a comparison drops a NaN where it is not looked for.
+fn not_a_number<K: Kernel, T: Scalar>() {
+    let mut rng = fastrand::Rng::with_seed(2);
+    let nan = T::of(f64::NAN);
+    let special = [0.0, -0.0, 1.0, -1.0, 1e-30, 3e38].map(T::of);
+    for _ in 0..1000 {
+        let mut arguments: Vec<T> = K::arguments(&mut rng).into_iter().map(|x| T::of(x.into())).collect();
+        if rng.bool() {
+            arguments.fill_with(|| *rng.choice(&special).unwrap());
+        }
+        for i in 0..arguments.len() {
+            for nan in [nan, -nan] {
+                let mut given = arguments.clone();
+                given[i] = nan;
+                let found = K::call(&given);
+                assert!(
+                    found.iter().all(|x| (*x).into().is_nan()),
+                    "{} of {given:?}: {found:?}",
+                    K::NAME
+                );
+            }
+        }
+    }
+}
+
 fn signed(rng: &mut fastrand::Rng) -> f32 {
     2.0 * rng.f32() - 1.0
 }
@@ -73,6 +98,8 @@ macro_rules! kernel {
             }
             let single = maximum(against_truth::<Here, f32>(), against_double::<Here>());
             hold(Here::NAME, [against_truth::<Here, f64>(), single]);
+            not_a_number::<Here, f64>();
+            not_a_number::<Here, f32>();
         }
     };
 }

@@ -1,5 +1,6 @@
 //! The geocentre, the axis, the plane of the equator, zeros of both signs, the smallest and the largest numbers.
 
+use terrella::frame::{Aer, Enu};
 use terrella::{Ecef, Ellipsoid, Geodetic, InvalidEcef, InvalidHeight, LatLon};
 use testkit::maximum;
 
@@ -221,4 +222,28 @@ fn serde_goes_through_the_same_doors() {
         serde_json::from_str::<terrella::Aer<f64>>(&serde_json::to_string(&seen).unwrap()).unwrap(),
         seen
     );
+}
+
+fn no_number<T: Scalar>() {
+    let nan = T::of(f64::NAN);
+    for others in [T::ZERO, T::ONE] {
+        for i in 0..3 {
+            let mut given = [others; 3];
+            given[i] = nan;
+            let [east, north, up] = given;
+            let aer = Aer::from(Enu { east, north, up });
+            assert!(
+                aer.range.into().is_nan() && aer.elevation.into().is_nan(),
+                "{given:?}: {aer:?}"
+            );
+            assert!(i == 2 || aer.azimuth.into().is_nan(), "{given:?}: {aer:?}");
+        }
+    }
+}
+
+/// The azimuth of (NaN, 0) was 0.
+#[test]
+fn what_is_no_number_has_no_angles() {
+    no_number::<f32>();
+    no_number::<f64>();
 }

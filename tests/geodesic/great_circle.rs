@@ -194,3 +194,18 @@ fn destinations_are_as_accurate_as_claimed() {
     assert!(double[0] <= 1.1e-15 && double[1] <= 1.5e-15);
     assert!(single[0] <= 6.0e-7 && single[1] <= 8.0e-7);
 }
+
+/// Of four radians any may be no number.
+#[test]
+fn no_number_is_no_distance() {
+    fn check<T: Scalar>() {
+        for i in 0..4 {
+            let mut given = [T::ONE; 4];
+            given[i] = T::of(f64::NAN);
+            let [lat1, lon1, lat2, lon2] = given;
+            assert!(unit::<T>().distance_radians([lat1, lon1], [lat2, lon2]).into().is_nan());
+        }
+    }
+    check::<f64>();
+    check::<f32>();
+}

@@ -260,7 +260,21 @@ fn what_is_not_finite_is_refused() {
         Err(GeodesicError::Azimuth(f64::INFINITY))
     );
     assert!(matches!(karney.direct(from, 1.0, f64::NAN), Err(GeodesicError::Distance(d)) if d.is_nan()));
-    assert_eq!(karney.direct(from, 1.0, 1e15), Err(GeodesicError::Distance(1e15)));
+    let line = karney.line(from, 1.0).unwrap();
+    for far in [1e15, -1e15, f64::MAX] {
+        let why = karney.direct(from, 1.0, far).unwrap_err();
+        assert_eq!(line.at(far), Err(why));
+        let GeodesicError::TooFar { distance, limit } = why else {
+            panic!("{why}");
+        };
+        // 10⁵ polar radii, and what the meridian is longer than a circle of one.
+        assert!(distance == far && (limit / 6.356_752e11 - 1.0017).abs() < 1e-4, "{why}");
+        assert!(line.at(0.999_999 * limit).is_ok() && line.at(1.000_001 * limit).is_err());
+        assert!(
+            why.to_string().contains(&format!("{far:?} is longer than {limit:?}")),
+            "{why}"
+        );
+    }
     assert!(Karney::new(Ellipsoid::new(1.0_f64, 0.2).unwrap()).is_err());
 }
 

@@ -5,6 +5,7 @@
 
 mod along;
 mod andoyer;
+mod azimuths;
 mod bowring;
 mod equator;
 mod evaluations;
@@ -21,6 +22,7 @@ mod stability;
 #[allow(dead_code)] // shared
 #[path = "../accuracy/table.rs"]
 mod table;
+mod track;
 #[allow(dead_code)] // shared
 #[path = "../accuracy/truth.rs"]
 mod truth;

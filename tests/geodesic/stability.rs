@@ -1,6 +1,6 @@
 //! Every method at awkward places: finite, in range, and refused only for a reason.
 
-use terrella::geodesic::{Geodesic, GeodesicError, Karney, Vincenty};
+use terrella::geodesic::{Geodesic, GeodesicError, Karney, Method, Vincenty};
 use terrella::{Ellipsoid, LatLon};
 
 use crate::methods::methods;
@@ -249,7 +249,10 @@ fn the_longest_distance_is_half_of_the_largest_number() {
     for distance in [1e305, 1e307] {
         assert_eq!(
             tiny.direct(place(1.0, 2.0), 30.0, distance),
-            Err(GeodesicError::Distance(distance))
+            Err(GeodesicError::TooFar {
+                distance,
+                limit: f64::MAX * (0.5 * 1e-3 * (1.0 - 1.0 / 298.0))
+            })
         );
     }
 }
@@ -265,5 +268,26 @@ fn all_but_equal_latitudes_have_a_line() {
         );
         let distance = karney.inverse(from, to).unwrap().distance;
         assert!((distance - 20_303_021.049_734).abs() < 1e-6, "{lon:e}: {distance}");
+    }
+}
+
+/// On the smallest bodies a distance in radii is infinite, and was NaN; the sphere of the largest ones was refused, as a flattening.
+#[test]
+fn bodies_of_any_size_have_methods() {
+    for (a, f) in [(1e-15, 1.0 / 300.0), (1e15, -1e-3), (1e15, 1e-3)] {
+        let ellipsoid = Ellipsoid::new(a, f).unwrap();
+        for method in Method::ALL {
+            let method = method.on(ellipsoid).unwrap();
+            for distance in [1.0, 1e300, f64::MAX] {
+                match method.direct(place(1.0, 2.0), 3.0, distance) {
+                    Ok(end) => assert!(
+                        end.azimuth.abs() <= 180.0 && end.position.lat().abs() <= 90.0,
+                        "{end:?}"
+                    ),
+                    Err(GeodesicError::TooFar { distance: far, limit }) => assert!(far == distance && far >= limit),
+                    Err(why) => panic!("{why}"),
+                }
+            }
+        }
     }
 }

@@ -474,16 +474,30 @@ fn lines<T: Scalar>(bytes: &mut Bytes<'_>) {
             says(why, azimuth);
         }
         Err(why @ GeodesicError::Distance(refused)) => {
-            // Too many circuits for some methods.
-            let far = distance.into().abs() > 5e8;
             assert!(
-                azimuth.is_finite() && (far || !distance.is_finite()) && same(refused, distance),
+                azimuth.is_finite() && !distance.is_finite() && same(refused, distance),
                 "{}",
                 context()
             );
             says(why, distance);
         }
-        Err(why @ GeodesicError::NotConverged(..)) => panic!("{why}"),
+        Err(
+            why @ GeodesicError::TooFar {
+                distance: refused,
+                limit,
+            },
+        ) => {
+            // Too many circuits for some methods.
+            let far = distance.into().abs();
+            assert!(
+                far > 5e8 && far >= limit.into() && same(refused, distance),
+                "{}",
+                context()
+            );
+            says(why, distance);
+            says(why, limit);
+        }
+        Err(why) => panic!("{why}"),
     }
     let sphere = GreatCircle::new(T::of(6.4e6)).unwrap();
     match sphere.intermediate(from, to, distance) {
@@ -491,7 +505,14 @@ fn lines<T: Scalar>(bytes: &mut Bytes<'_>) {
             LatLon::new(place.lat(), place.lon()) == Ok(place),
             "{from:?} {to:?} {distance:?}"
         ),
-        Err(GeodesicError::Distance(refused)) => assert!(!refused.is_finite(), "{from:?} {to:?} {distance:?}"),
+        Err(why @ GeodesicError::Fraction(refused)) => {
+            let far = distance.into().abs() > T::LARGEST.into() / 2.1e7;
+            assert!(
+                (far || !distance.is_finite()) && same(refused, distance),
+                "{from:?} {to:?} {distance:?}"
+            );
+            says(why, distance);
+        }
         Err(why) => panic!("{why}"),
     }
     let middle = sphere.midpoint(from, to);

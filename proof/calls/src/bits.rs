@@ -186,9 +186,11 @@ parts! {
         InvalidNumbered::Point(point) => (None, Some(*point)),
     };
     GeodesicError |why| match why {
-        GeodesicError::Azimuth(azimuth) => (Some((false, *azimuth)), None),
-        GeodesicError::Distance(distance) => (Some((true, *distance)), None),
-        GeodesicError::NotConverged(from, to) => (None, Some((*from, *to))),
+        GeodesicError::Azimuth(azimuth) => (Some((false, *azimuth)), None, None),
+        GeodesicError::Distance(distance) => (Some((true, *distance)), None, None),
+        GeodesicError::NotConverged(from, to) => (None, Some((*from, *to)), None),
+        GeodesicError::TooFar { distance, limit } => (None, None, Some([*distance, *limit])),
+        GeodesicError::Fraction(fraction) => (None, None, Some([*fraction; 2])),
     };
 }
 

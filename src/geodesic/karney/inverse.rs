@@ -6,6 +6,7 @@ use super::astroid::astroid;
 use super::lengths::Node;
 use super::series::Series;
 use crate::geodesic::degrees::{Split, hypot, longitude_difference};
+use crate::geodesic::ordinary;
 use crate::math::{atan2, max, min, select};
 use crate::{LatLon, Real};
 
@@ -120,18 +121,58 @@ impl<T: Real> Canonical<T> {
         self.swap * self.lon_sign * self.lat_sign
     }
 
-    /// The azimuths (sine and cosine) and scales of the problem as it was put.
-    pub fn turned_back(&self, arc: &Arc<T>) -> ([Angle<T>; 2], [T; 2]) {
-        let turn = |alpha: Angle<T>| Angle {
+    /// An azimuth of the problem as it was put from one of the canonical, and back.
+    fn turned(&self, alpha: Angle<T>) -> Angle<T> {
+        Angle {
             sin: alpha.sin * (self.swap * self.lon_sign) + T::ZERO,
             cos: alpha.cos * (self.swap * self.lat_sign) + T::ZERO,
-        };
-        let (one, two) = (turn(arc.alpha1), turn(arc.alpha2));
+        }
+    }
+
+    /// The azimuths (sine and cosine) and scales of the problem as it was put.
+    pub fn turned_back(&self, arc: &Arc<T>) -> ([Angle<T>; 2], [T; 2]) {
+        let (one, two) = (self.turned(arc.alpha1), self.turned(arc.alpha2));
         let [scale1, scale2] = arc.scales;
         if self.swap < T::ZERO {
             ([two, one], [scale2, scale1])
         } else {
             ([one, two], [scale1, scale2])
+        }
+    }
+
+    /// The line that the straight lines of arithmetic found between the places of the problem as it was put.
+    pub fn found(&self, karney: &Karney<T>, line: &ordinary::Line<T>) -> Arc<T> {
+        let (azimuth1, azimuth2) = (line.inverse.azimuth1, line.inverse.azimuth2);
+        let turn = |azimuth| self.turned(Angle::degrees(azimuth));
+        let (alpha1, alpha2) = if self.swap < T::ZERO {
+            (turn(azimuth2), turn(azimuth1))
+        } else {
+            (turn(azimuth1), turn(azimuth2))
+        };
+        let sigma = line.sigma;
+        let cos_alpha0 = hypot(alpha1.cos, alpha1.sin * self.beta1.sin);
+        let epsilon = Series::epsilon(cos_alpha0 * cos_alpha0 * karney.ellipsoid.ep2());
+        let sigma1 = Angle::of(self.beta1.sin, alpha1.cos * self.beta1.cos);
+        let sigma2 = sigma1.plus(Angle::radians(sigma));
+        let lengths = karney.lengths(epsilon, sigma, self.node1(sigma1), self.node2(sigma2));
+        let meridional = (self.polar || self.lambda12.sin == T::ZERO) && alpha2.sin == T::ZERO;
+        let omega = self.lambda12.plus(Angle::radians(line.growth));
+        let distance = line.inverse.distance;
+        let reduced = if sigma < karney.short {
+            // Between neighbours the differences of its formula would be all rounding.
+            distance - distance * (sigma * sigma / T::of(6.0))
+        } else {
+            lengths.reduced * karney.ellipsoid.b()
+        };
+        Arc {
+            sigma,
+            distance,
+            reduced,
+            scales: lengths.scales,
+            alpha1,
+            alpha2,
+            omega: (!meridional).then_some(omega),
+            evaluations: line.evaluations,
         }
     }
 

@@ -124,7 +124,8 @@ impl<T: Real> Line<T> {
     /// The point at a distance in metres from the start; a negative distance lies behind it.
     ///
     /// # Errors
-    /// [`GeodesicError::Distance`] if it is not finite, or longer than 10⁵ (`f64`) or 100 (`f32`) polar radii.
+    /// [`GeodesicError::Distance`] if it is not finite; [`GeodesicError::TooFar`] if it is longer than 10⁵ (`f64`) or 100 (`f32`) polar radii
+    /// times the mean of √(1 + k² sin²σ) on the line, A₁.
     pub fn at(&self, distance: T) -> Result<LinePoint<T>, GeodesicError<T>> {
         self.place(distance).map(|place| place.point)
     }
@@ -144,11 +145,13 @@ impl<T: Real> Line<T> {
         let series = &karney.series;
         let b = karney.ellipsoid.b();
         // One quotient: over many circuits each rounding counts.
-        let tau12 = distance / (b + b * self.a1);
+        let radius = b + b * self.a1;
+        let tau12 = distance / radius;
+        let longest = T::pick(1e5, 100.0);
         // Also false for NaN.
-        let within = tau12.abs() < T::pick(1e5, 100.0);
+        let within = tau12.abs() < longest;
         if !within {
-            return Err(GeodesicError::Distance(distance));
+            return Err(GeodesicError::refused(distance, longest * radius));
         }
         let tau2 = self.tau1.plus(Angle::radians(tau12));
         let b12 = -series.sines(&self.c1_reverted, tau2);

@@ -1,8 +1,8 @@
-use super::degrees::hypot;
+use super::degrees::{hypot, northward_between_poles};
 use super::ordinary::Ordinary;
 use super::{Direct, Geodesic, GeodesicError, Inverse, Straight};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::max;
+use crate::math::{max, select};
 use crate::{Ellipsoid, LatLon, Real};
 
 mod angle;
@@ -16,7 +16,7 @@ mod polygon;
 mod series;
 
 use angle::Angle;
-use inverse::{Canonical, tiny};
+use inverse::{Arc, Canonical, tiny};
 pub(super) use series::Series;
 
 pub use area::Area;
@@ -30,8 +30,12 @@ pub use polygon::PolygonArea;
 /// 1e-6 of the distance. For f = 1/10 and −1/150 within 12 nm.
 ///
 /// Both problems of [`Geodesic`] are straight lines of arithmetic where |f| ≤ 1/149: Newton's method for the longitude on the auxiliary sphere,
-/// three evaluations; a few more between some places 150° or more apart. What they leave (coincident places, azimuths beyond ±360°, very many
-/// circuits), other ellipsoids, [`Karney::solve`] and [`Line`] take the general way. The two agree to rounding, not to the bit.
+/// three evaluations; a few more between some places 150° or more apart. What they leave (coincident places, from pole to pole, azimuths beyond
+/// ±360°, very many circuits), other ellipsoids and [`Line`] take the general way. [`Karney::solve`] and [`Area::under`] are about the line
+/// of [`Geodesic::inverse`]. The direct problem and [`Line`] agree to rounding, not to the bit.
+///
+/// Between latitudes that are exactly opposite the azimuths are equal, or add up to 180° within a rounding, as the symmetry of the ellipsoid asks; if
+/// two shortest lines mirror each other in the equator, it is the one that starts to the north.
 ///
 /// The general way: series in the third flattening to order 6 on the Earth's ellipsoids and up to 12 beyond them; shorter ones in `f32`; Newton's
 /// method with a bracket, at most 83 steps (`f64`), in practice 2 to 6 but next to the equator where the shortest line leaves it.
@@ -73,7 +77,8 @@ pub struct Solution<T> {
     pub scale12: T,
     /// The geodesic scale M₂₁.
     pub scale21: T,
-    /// How often the longitude was evaluated; 0 where there is a closed form: along meridian and equator, and between neighbours.
+    /// How often the longitude was evaluated: mostly 3 (`f32`: 2); in the general way 0 where there is a closed form, along meridian and equator
+    /// and between neighbours.
     pub evaluations: usize,
 }
 
@@ -101,10 +106,33 @@ impl<T: Real> Karney<T> {
         })
     }
 
+    /// The general way.
     #[cold]
     #[inline(never)]
-    fn hard_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
-        self.solve(from, to).inverse
+    fn general(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, Canonical<T>, Arc<T>) {
+        let problem = Canonical::new(self, from, to);
+        let arc = problem.solve(self);
+        let ([alpha1, alpha2], _) = problem.turned_back(&arc);
+        let degrees = |alpha: Angle<T>| select(arc.sigma == T::ZERO, T::ZERO, alpha.to_degrees());
+        let line = Inverse {
+            distance: arc.distance + T::ZERO,
+            azimuth1: degrees(alpha1),
+            azimuth2: degrees(alpha2),
+        };
+        (northward_between_poles(from, to, line), problem, arc)
+    }
+
+    /// The line of [`Geodesic::inverse`], the problem that is solved, and all of its solution. Between poles the latter is for the meridian
+    /// of the second place's longitude, which the polygon's edge follows.
+    fn whole(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, Canonical<T>, Arc<T>) {
+        if self.ordinary.exact()
+            && let Some(line) = self.ordinary.whole(from, to)
+        {
+            let problem = Canonical::new(self, from, to);
+            let arc = problem.found(self, &line);
+            return (line.inverse, problem, arc);
+        }
+        self.general(from, to)
     }
 
     #[cold]
@@ -117,18 +145,14 @@ impl<T: Real> Karney<T> {
         })
     }
 
-    /// The whole solution of the inverse problem.
+    /// The whole solution of the inverse problem: distance and azimuths those of [`Geodesic::inverse`] in every bit, the other lengths of the
+    /// same line.
     #[must_use]
     pub fn solve(&self, from: LatLon<T>, to: LatLon<T>) -> Solution<T> {
-        let problem = Canonical::new(self, from, to);
-        let arc = problem.solve(self);
-        let ([alpha1, alpha2], [scale12, scale21]) = problem.turned_back(&arc);
+        let (inverse, problem, arc) = self.whole(from, to);
+        let (_, [scale12, scale21]) = problem.turned_back(&arc);
         Solution {
-            inverse: Inverse {
-                distance: arc.distance + T::ZERO,
-                azimuth1: alpha1.to_degrees(),
-                azimuth2: alpha2.to_degrees(),
-            },
+            inverse,
             arc: arc.sigma * T::of(180.0 / core::f64::consts::PI),
             reduced_length: arc.reduced + T::ZERO,
             scale12,
@@ -169,11 +193,10 @@ impl<T: Real> Geodesic<T> for Karney<T> {
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         if self.ordinary.exact()
             && let Some(line) = self.ordinary.inverse(from, to)
-            && self.ordinary.apart(&line)
         {
             return Ok(line);
         }
-        Ok(self.hard_inverse(from, to))
+        Ok(self.general(from, to).0)
     }
 
     #[inline]

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use super::{Answer, Ordinary, grow, series, waves};
 use crate::geodesic::degrees::{heading, off_pole, wrapped};
 use crate::geodesic::{Direct, GeodesicError};
-use crate::math::{Polynomial, either, octant, select, sin_cos, sin_cos_degrees};
+use crate::math::{Polynomial, either, min, octant, select, sin_cos, sin_cos_degrees};
 use crate::{LatLon, Real};
 
 impl<T: Real> Ordinary<T> {
@@ -19,14 +19,15 @@ impl<T: Real> Ordinary<T> {
     /// The direct problem after however many circuits.
     ///
     /// # Errors
-    /// [`GeodesicError::Azimuth`], [`GeodesicError::Distance`] if they are not finite, or half of the largest number of polar radii is less than the distance.
+    /// [`GeodesicError::Azimuth`], [`GeodesicError::Distance`] if they are not finite; [`GeodesicError::TooFar`] if half of the largest number of
+    /// polar radii is less than the distance.
     #[cold]
     #[inline(never)]
     pub fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let azimuth = heading(azimuth, distance)?;
         // Twice as far, so that no sum below overflows.
         if !((distance + distance) / self.b).is_finite() {
-            return Err(GeodesicError::Distance(distance));
+            return Err(GeodesicError::quotient(distance, T::of(0.5) * min(self.b, T::ONE)));
         }
         Ok(self.end(from, azimuth, distance, true))
     }

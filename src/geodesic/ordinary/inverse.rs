@@ -37,6 +37,8 @@ struct Ends<T> {
     side: T,
     /// sin(β₂ − β₁).
     rise: T,
+    /// The smallest ω near the antipode.
+    least: T,
 }
 
 /// The great circle between two places for one ω.
@@ -58,11 +60,16 @@ struct Arc<T> {
     middle: T,
 }
 
-/// What is known of a line after some steps.
-struct Solution<T> {
-    inverse: Inverse<T>,
+/// A line, once it is found.
+pub(in crate::geodesic) struct Line<T> {
+    pub inverse: Inverse<T>,
+    /// σ, in radians.
+    pub sigma: T,
+    /// ω − λ, in radians.
+    pub growth: T,
+    /// How often the longitude was evaluated.
+    pub evaluations: usize,
     found: bool,
-    evaluations: usize,
 }
 
 /// Evaluations of the longitude that nearly always are enough, but near the antipode.
@@ -75,52 +82,49 @@ fn fixed<T: Real>() -> usize {
 const STEPS: usize = 40;
 
 impl<T: Real> Ordinary<T> {
-    /// The inverse problem; no places are known for which it is not found.
-    #[inline]
+    /// The inverse problem; not found between places that are all but the same, nor from pole to pole: no others are known.
+    #[inline(always)]
     pub fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Option<Inverse<T>> {
         let ends = self.ends(from, to);
         let far = ends.nearly_antipodal();
         if far && !cfg!(small) {
-            return self.far_inverse(ends);
+            return self.far_line(ends).map(|line| line.inverse);
         }
-        self.solve(ends, far)
+        self.solve(ends, far).map(|line| line.inverse)
     }
 
-    /// The inverse problem without a branch; not found between nearly antipodal places, nor between such as are all but the same.
+    /// The same with the rest of the line.
+    pub fn whole(&self, from: LatLon<T>, to: LatLon<T>) -> Option<Line<T>> {
+        let ends = self.ends(from, to);
+        self.solve(ends, ends.nearly_antipodal())
+    }
+
+    /// The inverse problem without a branch; not found between nearly antipodal places, either.
     #[inline(always)]
     pub fn near_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Answer<Inverse<T>> {
         let mut ends = self.ends(from, to);
         ends.see(false);
         let line = self.line(&ends, fixed::<T>());
-        let found = line.found & !ends.nearly_antipodal() & self.apart(&line.inverse);
-        (line.inverse, found)
-    }
-
-    /// How often the longitude is evaluated between two places.
-    pub fn evaluations(&self, from: LatLon<T>, to: LatLon<T>) -> Option<usize> {
-        let mut ends = self.ends(from, to);
-        ends.see(ends.nearly_antipodal());
-        let line = self.line(&ends, STEPS);
-        line.found.then_some(line.evaluations)
-    }
-
-    /// Whether squares of this distance on the unit sphere are numbers with all their digits.
-    #[inline(always)]
-    pub fn apart(&self, line: &Inverse<T>) -> bool {
-        line.distance > self.b * T::pick(1e-150, 1e-18)
+        (line.inverse, line.found & !ends.nearly_antipodal())
     }
 
     #[cold]
     #[inline(never)]
-    fn far_inverse(&self, ends: Ends<T>) -> Option<Inverse<T>> {
+    fn far_line(&self, ends: Ends<T>) -> Option<Line<T>> {
         self.solve(ends, true)
     }
 
     #[inline(always)]
-    fn solve(&self, mut ends: Ends<T>, far: bool) -> Option<Inverse<T>> {
+    fn solve(&self, mut ends: Ends<T>, far: bool) -> Option<Line<T>> {
         ends.see(far);
+        if far {
+            if ends.lat2.abs() == T::of(90.0) {
+                return None;
+            }
+            self.leave_antipode(&mut ends);
+        }
         let line = self.line(&ends, STEPS);
-        line.found.then_some(line.inverse)
+        line.found.then_some(line)
     }
 
     /// The ends of an inverse problem's line, not seen yet.
@@ -147,16 +151,35 @@ impl<T: Real> Ordinary<T> {
             far: false,
             side: T::ONE,
             rise: T::ZERO,
+            least: T::ZERO,
+        }
+    }
+
+    /// Between latitudes exactly opposite and up to the λ at which its azimuth is 90°, the line leaves the antipode to the north or to the south,
+    /// and ω, then 0, says nothing of the azimuth: there the rise is made far less than its rounding. Beyond, ω is no less than its own.
+    #[inline(always)]
+    fn leave_antipode(&self, ends: &mut Ends<T>) {
+        if ends.rise.abs() > T::EPSILON {
+            return;
+        }
+        let square = ends.beta1.0 * ends.beta1.0;
+        let epsilon = square * series(square, &self.epsilon, T::terms(7, 3));
+        let turn = T::of(PI) * self.f * ends.beta1.1 * series(epsilon, &self.a3, T::terms(5, 3));
+        let nothing = T::EPSILON * T::EPSILON;
+        if ends.supplement() - turn > nothing {
+            ends.least = T::of(8.0) * T::EPSILON * self.f.abs();
+        } else {
+            ends.rise = max(ends.rise.abs(), nothing).copysign(ends.rise);
         }
     }
 
     /// The line between the ends as they are seen, in so many steps at most.
     #[inline(always)]
-    fn line(&self, ends: &Ends<T>, most: usize) -> Solution<T> {
+    fn line(&self, ends: &Ends<T>, most: usize) -> Line<T> {
         let (far, side) = (ends.far, ends.side);
         // ω is what `half` stands for and so much more; near the antipode, where every digit of it counts, all of it.
         let (rest, mut grown) = if far {
-            let lon = (T::of(180.0) - ends.lon) * T::of(PI / 180.0) - ends.rest;
+            let lon = ends.supplement();
             (lon, self.flat_triangle(ends, lon))
         } else {
             (ends.rest, T::ZERO)
@@ -192,7 +215,7 @@ impl<T: Real> Ordinary<T> {
             let rounding = T::of(8.0) * T::EPSILON * (rest.abs() + T::of(3.0) * self.f.abs());
             let found = excess.abs() <= small_step * slope + rounding;
             if (evaluations < least) | ((evaluations < most) & !found) {
-                grown += step;
+                grown = ends.stepped(grown, step);
                 arc = ends.grown(grown);
                 evaluations += 1;
                 continue;
@@ -206,14 +229,17 @@ impl<T: Real> Ordinary<T> {
 
             let b1 = c1(epsilon, waves);
             let more = b1 + a1_less_1(epsilon) * (sigma + b1) + side * (arc.sin_alpha * excess / self.axes);
-            return Solution {
+            return Line {
                 inverse: Inverse {
                     distance: self.b * (high + (low + more)),
                     azimuth1: choose(ends.swap, alpha2, alpha1),
                     azimuth2: choose(ends.swap, alpha1, alpha2),
                 },
-                found,
+                sigma: sigma + side * (arc.sin_alpha * step),
+                growth: side * ((grown + step) - rest),
                 evaluations,
+                // Where it is less, squares are no numbers with all their digits.
+                found: found & (arc.sin_sigma > T::pick(1e-150, 1e-18)),
             };
         }
     }
@@ -229,7 +255,7 @@ impl<T: Real> Ordinary<T> {
             let step = ((rest - grown) + ends.side * shift) / slope;
             let turn = ends.side * step;
             sigma += turn * (arc.sin_alpha + T::of(0.5) * arc.bend * turn);
-            grown += step;
+            grown = ends.stepped(grown, step);
             arc = ends.grown(grown);
             evaluations += 1;
             // The next error, as a part of sin σ, is less than the square of the last step; or the series are too short to tell.
@@ -245,12 +271,12 @@ impl<T: Real> Ordinary<T> {
     #[inline(always)]
     fn flat_triangle(&self, ends: &Ends<T>, lon: T) -> T {
         let reach = T::of(PI) * self.f * ends.beta1.1;
-        if self.f < T::ZERO {
+        if self.f <= T::ZERO {
             return lon - T::of(1.02) * reach;
         }
         let north = ends.rise.abs() / max(ends.beta2.1, T::EPSILON);
         let square = north * north;
-        let mut x = max(lon - reach, lon * north / (reach + north));
+        let mut x = max(max(lon - reach, lon * north / (reach + north)), ends.least);
         for _ in 0..2 {
             // Halley's steps; the larger of two lower bounds comes first.
             let q = x * x + square;
@@ -259,7 +285,8 @@ impl<T: Real> Ordinary<T> {
             let excess = (x - lon) + x * pull;
             let narrow = pull * (square * reciprocal);
             let slope = T::ONE + narrow;
-            x += -excess * slope / (slope * slope + excess * (narrow * (T::of(1.5) * x * reciprocal)));
+            let step = excess * slope / (slope * slope + excess * (narrow * (T::of(1.5) * x * reciprocal)));
+            x = max(x - step, ends.least);
         }
         x
     }
@@ -302,6 +329,12 @@ impl<T: Real> Ends<T> {
         (self.lon >= T::of(90.0)) & (cos_sigma < T::of(-0.985))
     }
 
+    /// π − λ.
+    #[inline(always)]
+    fn supplement(&self) -> T {
+        (T::of(180.0) - self.lon) * T::of(PI / 180.0) - self.rest
+    }
+
     /// An azimuth in degrees, and what it turns by in radians.
     #[cfg_attr(not(small), inline(always))]
     #[cfg_attr(small, inline(never))]
@@ -327,9 +360,15 @@ impl<T: Real> Ends<T> {
             sin_cos_eighth(apart * T::of(PI / 180.0)).0 * self.scale,
             self.beta2.0 * self.beta1.1 - self.beta2.1 * self.beta1.0,
         );
-        if far {
-            // Between latitudes exactly opposite λ says nothing of the azimuth: there one is moved by less than its rounding.
-            self.rise = max(self.rise.abs(), T::of(0.25) * T::EPSILON).copysign(self.rise);
+    }
+
+    /// An ω after one more step.
+    #[inline(always)]
+    fn stepped(&self, grown: T, step: T) -> T {
+        if self.far {
+            max(grown + step, self.least)
+        } else {
+            grown + step
         }
     }
 
@@ -362,6 +401,12 @@ impl<T: Real> Ends<T> {
         let cos_sigma = sines + level;
         let sin_alpha = cos1 * course1.0 * inverse;
         let square = T::ONE - sin_alpha * sin_alpha;
+        let bend = if self.far {
+            // Without a difference, of which near the antipode no digit would be left.
+            cos1 * cos2 * (course1.1 * inverse) * (course2.1 * inverse_square)
+        } else {
+            (level - sin_alpha * sin_alpha * cos_sigma) * inverse
+        };
         Arc {
             course1,
             course2,
@@ -370,7 +415,7 @@ impl<T: Real> Ends<T> {
             cos_sigma,
             sin_alpha,
             square,
-            bend: (level - sin_alpha * sin_alpha * cos_sigma) * inverse,
+            bend,
             middle: square * cos_sigma - (sines + sines),
         }
     }

@@ -13,6 +13,8 @@ use crate::{Ellipsoid, Real};
 mod direct;
 mod inverse;
 
+pub(super) use inverse::Line;
+
 /// An ellipsoid as the straight lines need it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
