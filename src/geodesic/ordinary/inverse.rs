@@ -88,7 +88,7 @@ impl<T: Real> Ordinary<T> {
         let ends = self.ends(from, to);
         let far = ends.nearly_antipodal();
         if far && !cfg!(small) {
-            return self.far_line(ends).map(|line| line.inverse);
+            return self.far_inverse(ends);
         }
         self.solve(ends, far).map(|line| line.inverse)
     }
@@ -110,8 +110,8 @@ impl<T: Real> Ordinary<T> {
 
     #[cold]
     #[inline(never)]
-    fn far_line(&self, ends: Ends<T>) -> Option<Line<T>> {
-        self.solve(ends, true)
+    fn far_inverse(&self, ends: Ends<T>) -> Option<Inverse<T>> {
+        self.solve(ends, true).map(|line| line.inverse)
     }
 
     #[inline(always)]
