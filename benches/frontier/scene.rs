@@ -79,7 +79,6 @@ pub fn run<T: truth::Scalar>(bench: &mut Bench) {
                 AnyModel::Flat(method) => timed(bench, &task, &key, &method),
                 AnyModel::Sphere(method) => timed(bench, &task, &key, &method),
                 AnyModel::Andoyer(method) => timed(bench, &task, &key, &method),
-                AnyModel::Vincenty(method) => timed(bench, &task, &key, &method),
                 AnyModel::Karney(method) => timed(bench, &task, &key, &method),
             }
         }
@@ -189,7 +188,6 @@ fn colour((scalar, model): Kind) -> Rgb<u8> {
         Model::Flat => [0x56, 0xb4, 0xe9],
         Model::Sphere => [0xe6, 0x9f, 0x00],
         Model::Andoyer => [0xcc, 0x79, 0xa7],
-        Model::Vincenty => [0x00, 0x72, 0xb2],
         Model::Karney => [0x3c, 0x3c, 0x3c],
     };
     let pale = match scalar {

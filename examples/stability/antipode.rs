@@ -6,7 +6,7 @@ use terrella::{Ellipsoid, LatLon, Real};
 
 use crate::pair::{Pair, Place, Scalar, Truth};
 use crate::scale::{Scale, hatch_legend};
-use crate::solver::{CLASSIC, Figure, Solver, radius};
+use crate::solver::{Figure, Solver, radius};
 use crate::svg::{Area, Svg};
 use crate::units::{length, metres, percent};
 
@@ -18,15 +18,14 @@ const COLUMNS: usize = 4;
 const PANEL: f64 = 300.0;
 
 /// Draws the errors, in metres.
-pub fn errors(ours: &[Solver], theirs: &[Solver], earth: &Truth, side: u32) -> Result<Svg, String> {
+pub fn errors(ours: &[Solver], earth: &Truth, side: u32) -> Result<Svg, String> {
     let sphere = Truth::sphere(radius());
     let of = |figure| ours.iter().filter(move |s| s.figure == figure);
     let on_sphere = of(Figure::Sphere).map(|s| (s, &sphere, " on the sphere"));
     let on_earth = of(Figure::Ellipsoid).map(|s| (s, earth, ""));
-    let classic = theirs.iter().filter(|s| s.name == CLASSIC).map(|s| (s, earth, ""));
     let mut double = of(Figure::Sphere).filter(|s| s.scalar == Scalar::F64);
     let as_model = double.next_back().into_iter().map(|s| (s, earth, " as the Earth"));
-    let panels: Vec<_> = on_sphere.chain(on_earth).chain(classic).chain(as_model).collect();
+    let panels: Vec<_> = on_sphere.chain(on_earth).chain(as_model).collect();
     let scale = Scale {
         exponents: [-9.0, 5.0],
         unit: metres,
@@ -39,23 +38,15 @@ pub fn errors(ours: &[Solver], theirs: &[Solver], earth: &Truth, side: u32) -> R
         };
         let cells: Vec<_> = pairs(side).into_par_iter().map(error).collect();
         let title = format!("{}, {}{aside}", solver.name, solver.scalar.name());
-        sheet.add(&title, &note(&cells), scale, side, &cells)?;
+        sheet.add(&title, &note(&cells, length), scale, side, &cells)?;
     }
-    let [x, y] = sheet.finish(scale, "error of the distance")?;
-    let swatch = Area {
-        x,
-        y,
-        width: 26.0,
-        height: 14.0,
-    };
-    hatch_legend(&mut sheet.svg, swatch, "no answer")?;
-    Ok(sheet.svg)
+    sheet.finish(scale, "error of the distance")
 }
 
-/// The largest error; or, where there are cells without an answer, their share.
-fn note(cells: &[Option<f64>]) -> String {
+/// The largest value in words; or, where there are cells without an answer, their share.
+fn note(cells: &[Option<f64>], words: impl Fn(f64) -> String) -> String {
     match cells.iter().filter(|cell| cell.is_none()).count() {
-        0 => format!("≤ {}", length(cells.iter().copied().flatten().fold(0.0, f64::max))),
+        0 => format!("≤ {}", words(cells.iter().copied().flatten().fold(0.0, f64::max))),
         none => format!("none for {}", percent(none as f64 / cells.len() as f64)),
     }
 }
@@ -81,14 +72,13 @@ pub fn steps(side: u32) -> Result<Svg, String> {
         Ok([false, true].map(|is_karney| move |pair| count(pair, is_karney)))
     }
     let scale = Scale {
-        exponents: [0.0, 1.0],
+        exponents: [0.0, 2.0],
         unit: |exponent| 10_u32.pow(exponent.unsigned_abs()).to_string(),
     };
     let mut sheet = Sheet::new(4);
     let mut draw = |title: &str, count: &(dyn Fn(Pair) -> Option<f64> + Sync)| {
         let cells: Vec<_> = pairs(side).into_par_iter().map(count).collect();
-        let most = cells.iter().copied().flatten().fold(0.0, f64::max);
-        sheet.add(title, &format!("≤ {most}"), scale, side, &cells)
+        sheet.add(title, &note(&cells, |most| most.to_string()), scale, side, &cells)
     };
     let [vincenty, karney] = both::<f64>(|x| x)?;
     draw("Vincenty, f64", &vincenty)?;
@@ -96,8 +86,7 @@ pub fn steps(side: u32) -> Result<Svg, String> {
     let [vincenty, karney] = both::<f32>(|x| x as f32)?;
     draw("Vincenty, f32", &vincenty)?;
     draw("Karney, f32", &karney)?;
-    sheet.finish(scale, "evaluations of the longitude")?;
-    Ok(sheet.svg)
+    sheet.finish(scale, "evaluations of the longitude")
 }
 
 /// The pairs of a map, row by row from the north.
@@ -181,8 +170,8 @@ impl Sheet {
         Ok(())
     }
 
-    /// Draws the legend; returns where there is room for more.
-    fn finish(&mut self, scale: Scale, title: &str) -> Result<[f64; 2], String> {
+    /// The maps with their legend.
+    fn finish(mut self, scale: Scale, title: &str) -> Result<Svg, String> {
         let place = Self::place(self.drawn);
         let bar = Area {
             x: place.x + 16.0,
@@ -191,6 +180,13 @@ impl Sheet {
             height: 14.0,
         };
         scale.legend(&mut self.svg, bar, title)?;
-        Ok([bar.x, bar.bottom() + 50.0])
+        let swatch = Area {
+            x: bar.x,
+            y: bar.bottom() + 50.0,
+            width: 26.0,
+            height: 14.0,
+        };
+        hatch_legend(&mut self.svg, swatch, "no answer")?;
+        Ok(self.svg)
     }
 }

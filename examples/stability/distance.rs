@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::pair::{Pair, Place, Scalar, Truth};
-use crate::solver::{CLASSIC, Solver};
+use crate::solver::Solver;
 use crate::svg::{Area, LogAxis, Svg};
 use crate::units::metres;
 
@@ -41,7 +41,7 @@ struct Bin {
 }
 
 /// Draws the chart.
-pub fn draw(ours: &[Solver], theirs: &[Solver], truth: &Truth, per_bin: usize) -> Svg {
+pub fn draw(ours: &[Solver], truth: &Truth, per_bin: usize) -> Svg {
     let mut svg = Svg::new(1410.0, 830.0);
     let [left, right] = [
         Area {
@@ -136,7 +136,7 @@ pub fn draw(ours: &[Solver], theirs: &[Solver], truth: &Truth, per_bin: usize) -
     let (near_cases, far_cases) = (cases(Side::Near), cases(Side::Far));
     let mut labels = Vec::new();
     let mut strips = 0;
-    for solver in ours.iter().chain(theirs.iter().filter(|s| s.name == CLASSIC)) {
+    for solver in ours {
         let class = if solver.scalar == Scalar::F64 {
             "line"
         } else {

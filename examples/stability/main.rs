@@ -58,11 +58,8 @@ fn pictures(options: &Options) -> Result<String, String> {
     let theirs = solver::theirs();
     let side = options.side();
     let drawn = [
-        (
-            &page::DISTANCE,
-            distance::draw(&ours, &theirs, &truth, options.pairs_per_bin()),
-        ),
-        (&page::ANTIPODE, antipode::errors(&ours, &theirs, &truth, side)?),
+        (&page::DISTANCE, distance::draw(&ours, &truth, options.pairs_per_bin())),
+        (&page::ANTIPODE, antipode::errors(&ours, &truth, side)?),
         (&page::STEPS, antipode::steps(side)?),
         (&page::SECTION, section::draw(side)?),
     ];

@@ -65,16 +65,17 @@ pub const DISTANCE: Picture = Picture {
     legend: "The largest error among the pairs of each tenth of a decade. Left, the distance is counted from the first \
              place; right, from its antipode, since all that is hard happens there. Full lines are <code>f64</code>, \
              dashed ones <code>f32</code>. The bar at the top shows where a method gives no answer, the brighter the \
-             more often. Haversine is under the great circle nearly everywhere. The line of Vincenty’s formulas as \
-             they are usually written is that of the crate <code>geo</code>.",
-    conclusion: "In <code>f64</code> Vincenty and Karney stay within the nanometres that the reference itself is good \
-                 for, from a millimetre to the antipode: without another reason, take one of them. Andoyer costs a \
+             more often. Haversine is under the great circle nearly everywhere.",
+    conclusion: "In <code>f64</code> Karney stays within the nanometres that the reference itself is good for, from a \
+                 millimetre to the antipode: without another reason, take it. Vincenty’s method of 1975 is within a \
+                 tenth of a millimetre, and below a micrometre up to 100 km; from 90 km short of the antipode on it has \
+                 no answer for some pairs, and nearer for most. It says so: ask Karney then. Andoyer costs a \
                  millionth of the distance and a bit, Andoyer’s second order a few billionths; both are for up to half \
                  of the way around, and tens of kilometres wrong at the end of it. Bowring holds a millimetre up to \
                  100 km; the flat model up to some kilometres, and less near a pole. The sphere is half a percent off \
                  at any distance, whatever the formula. In <code>f32</code> Vincenty, and in their range Bowring and \
-                 the second Andoyer, keep seven digits of the distance; Karney does so between neighbours, and \
-                 keeps a metre beyond.",
+                 the second Andoyer, keep seven digits of the distance, as far as they answer; Karney does so between \
+                 neighbours, and keeps a metre or a few beyond.",
 };
 
 pub const ANTIPODE: Picture = Picture {
@@ -83,10 +84,10 @@ pub const ANTIPODE: Picture = Picture {
     legend: "The square of ±1° about the antipode of 30.1° N, 10.3° E, and the error of the distance to each place in \
              it; at the upper right the largest. The first row is measured against the sphere that these two methods \
              compute on, the rest against the Earth.",
-    conclusion: "Vincenty and Karney are here what they are elsewhere: nanometres in <code>f64</code>, a metre or a \
-                 few in <code>f32</code>, and an answer for every pair. Vincenty’s iteration as it is usually written \
-                 has none in the hatched region, some 60 km to every side. Both of Andoyer’s formulas always answer, \
-                 and are kilometres wrong. Haversine loses half of its digits: micrometres in <code>f64</code>, which \
+    conclusion: "Karney is here what it is elsewhere: nanometres in <code>f64</code>, a metre or a few in \
+                 <code>f32</code>, and an answer for every pair. Vincenty’s iteration has none in the hatched region, \
+                 some 60 km to every side but along the meridian, and is right around it. Both of Andoyer’s formulas \
+                 always answer, and are kilometres wrong. Haversine loses half of its digits: micrometres in <code>f64</code>, which \
                  no one will miss, but up to kilometres in <code>f32</code>; the great circle by Delambre’s formulas \
                  loses none. As a model of the Earth either is ten kilometres off anyway.",
 };
@@ -94,10 +95,12 @@ pub const ANTIPODE: Picture = Picture {
 pub const STEPS: Picture = Picture {
     file: "steps",
     title: "What the far side costs",
-    legend: "How often a distance in the same square evaluates the longitude of its end; at the upper right the most.",
-    conclusion: "Karney takes the same few steps nearly everywhere. Vincenty with Newton’s steps takes the most at two \
-                 points to the east and the west, where the shortest line turns from crossing the meridians to \
-                 following the parallel. Both are bounded: a flight computer can budget for the worst of them.",
+    legend: "How often a distance in the same square evaluates the longitude of its end; at the upper right the most, \
+             or how many pairs have no answer.",
+    conclusion: "Karney, by Newton’s steps, takes the same few nearly everywhere. Vincenty puts each longitude back \
+                 into its equation; next to the antipode each step is nearly as long as the one before, and in the \
+                 hatched region longer: dozens of evaluations where it answers, and a hundred, the bound, where it does \
+                 not. Elsewhere on the Earth five are usual.",
 };
 
 pub const SECTION: Picture = Picture {
@@ -116,10 +119,10 @@ pub const SECTION: Picture = Picture {
 };
 
 const COMPARISON: &str = "Of the crates in <code>f64</code>, <code>geographiclib-rs</code>, <code>geo</code>’s \
-    <code>Geodesic</code> (which calls it), <code>geo3d</code> and this crate’s Karney and Vincenty agree to 15 nm and \
-    answer always. <code>vincenty_distance</code> of <code>geo</code> answers one in four of the pairs near the \
-    antipode; it says so, and what it does answer is right. The columns headed wrong are those to look at: the \
-    spherical formulas, the flat model, Bowring’s and Andoyer’s are given there what they are not made for, and say \
+    <code>Geodesic</code> (which calls it), <code>geo3d</code> and this crate’s Karney agree to 15 nm and answer always. \
+    Vincenty’s method, this crate’s and <code>geo</code>’s, answers one in four of the pairs near the antipode; both \
+    say so, and what they do answer is right to a tenth of a millimetre. The columns headed wrong are those to look \
+    at: the spherical formulas, the flat model, Bowring’s and Andoyer’s are given there what they are not made for, and say \
     nothing.";
 
 fn figure(picture: &Picture) -> String {

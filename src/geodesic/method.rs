@@ -33,7 +33,7 @@ macro_rules! methods {
         }
 
         impl Method {
-            /// All of them, roughly from the cheapest to the dearest.
+            /// All of them, roughly from the simplest to the most exact.
             pub const ALL: &[Self] = &[$(Self::$variant),*];
 
             /// The name, in lower case.

@@ -66,8 +66,9 @@ pub trait Geodesic<T: Real> {
 /// A method that solves its ordinary problems in straight lines of arithmetic, so that a loop over them vectorises:
 /// [`batch::geodesic`](crate::batch::geodesic) is that loop. Sealed.
 pub trait Straight<T: Real>: Geodesic<T> + Send + Sync + sealed::Sealed {
-    /// The inverse problem, and whether the answer is that of [`Geodesic::inverse`], bit for bit: not between coincident and nearly
-    /// antipodal places, nor, for [`Karney`], on ellipsoids with |f| > 1/149.
+    /// The inverse problem, and whether the answer is that of [`Geodesic::inverse`], bit for bit. For [`Karney`] not between coincident and
+    /// nearly antipodal places, nor on ellipsoids with |f| > 1/149; for [`Vincenty`] not where it evaluates the longitude more than six (`f32`:
+    /// four) times.
     fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool);
 
     /// The direct problem, and whether the answer is that of [`Geodesic::direct`], bit for bit: not for azimuths beyond ±360°, nor after
@@ -123,7 +124,7 @@ pub enum GeodesicError<T> {
     },
     /// A part of a way that is infinite or not a number, or that makes the distance so.
     Fraction(T),
-    /// The iteration did not converge between these places: they are nearly antipodal.
+    /// [`Vincenty`]'s iteration did not converge between these places: they are nearly antipodal.
     NotConverged(LatLon<T>, LatLon<T>),
 }
 

@@ -77,18 +77,16 @@ impl Models {
                 let a = self.ellipsoid.a();
                 (1.2 * a * f * f * (0.125 * sigma + 1.08 * beyond / short)).min(2.0 * a * f)
             }
-            Model::Vincenty | Model::Karney => 0.0,
+            Model::Karney => 0.0,
         };
         let rounding = match (self.single, model) {
             (false, Model::Plane | Model::Flat | Model::Sphere) => 2e-15 * s,
             (false, Model::Andoyer) => 2e-15 * s + 3e-9 * size,
-            (false, Model::Vincenty) => size * vincenty(f),
             (false, Model::Karney) if f <= 1.0 / 150.0 => 7e-9 * size,
             (false, Model::Karney) => 1.2e-8 * size,
             (true, Model::Plane | Model::Flat | Model::Sphere | Model::Andoyer) => 7e-7 * s,
             // Half way round the equator, where the straight lines do not hold.
             (true, Model::Karney) if f > 1.0 / 150.0 && self.arc > 0.97 * PI => 33.0 * size,
-            (true, Model::Vincenty) => (1e-6 * s).min(7.0 * size),
             (true, Model::Karney) => (1e-6 * s).min(1.5e-7 * s + 4.0 * size),
         };
         truncation + rounding + self.input
@@ -114,13 +112,12 @@ impl Models {
                 let turn = sigma / (PI * short);
                 (1.2 * f * f * (0.33 + 2.9 * turn * turn)).min(PI)
             }
-            Model::Vincenty | Model::Karney => 0.0,
+            Model::Karney => 0.0,
         };
         // What is off across the line turns it by so much of its reduced length.
         let across = match (self.single, model) {
             (false, Model::Plane | Model::Flat | Model::Sphere) => 0.0,
             (false, Model::Andoyer | Model::Karney) => 1.5e-8 * size,
-            (false, Model::Vincenty) => size * vincenty(f),
             (true, _) => self.input,
         };
         let relative = if self.single { 1e-6 } else { 2e-15 };
@@ -168,12 +165,6 @@ impl Models {
             off / share
         }
     }
-}
-
-/// The series' error on an ellipsoid of the Earth's size: 10⁻⁶ m at f = 1/60, of the fifth order at least.
-const fn vincenty(f: f64) -> f64 {
-    let part = 60.0 * f;
-    (1e-6 * (part * part * part * part * part)).max(2e-8)
 }
 
 /// Two places at a height moved to the nearest latitudes and longitudes in single precision: metres.

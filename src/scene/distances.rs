@@ -2,7 +2,7 @@ use core::marker::PhantomData;
 
 use super::bounds::Models;
 use super::{AnyModel, Bound, Model, Scene, SceneError};
-use crate::geodesic::{Andoyer, Flat, GreatCircle, Karney, Plane, Vincenty};
+use crate::geodesic::{Andoyer, Flat, GreatCircle, Karney, Plane};
 use crate::latitude::UnsupportedFlattening;
 use crate::{LatLon, Real};
 
@@ -27,11 +27,10 @@ impl Scene {
     /// | [`Plane`] | s ε more, ε = 1.1 δ³/6 (tan φ + 6e² + δ/4) | ε + s/r δ³/12 more | as [`Flat`], δ ≤ 0.3 |
     /// | [`GreatCircle`] of radius (M + N)/2 | s (N − M)/(2M), M that of φ₀, N that of φ + s/2r | 1.2 f cos²φ₀ (1 + 1.45 x²/(π − σ)) | |
     /// | [`Andoyer`] | 1.2 a f² (σ/8 + 1.08x/(π − σ)), 2af if less | 1.2 f² (0.33 + 2.9 (σ/π)²/(π − σ)²) | |
-    /// | [`Vincenty`] | 2·10⁻⁸ m on the Earth, (60f)⁵ 10⁻⁶ m if more | rounding | |
     /// | [`Karney`] | 7·10⁻⁹ m on the Earth | rounding | |
     ///
-    /// and rounding. Of a distance that is 2·10⁻¹⁵ s in `f64`, and for [`Andoyer`] 3 nm more; in `f32` 7·10⁻⁷ s, for [`Vincenty`] at most 7 m,
-    /// for [`Karney`] 1.5·10⁻⁷ s + 4 m, 33 m half way round where f > 1/150, and the places' own: half a unit of each latitude and longitude, 1.9 m at
+    /// and rounding. Of a distance that is 2·10⁻¹⁵ s in `f64`, and for [`Andoyer`] 3 nm more; in `f32` 7·10⁻⁷ s, for [`Karney`] 10⁻⁶ s, at most
+    /// 1.5·10⁻⁷ s + 4 m, 33 m half way round where f > 1/150, and the places' own: half a unit of each latitude and longitude, 1.9 m at
     /// the equator; about an origin 2⁻²³ of the way to it. Lengths are the Earth's, and in proportion elsewhere. An azimuth is off by 2·10⁻¹⁵ or
     /// 10⁻⁶, and by the places' rounding, or 15 nm, over the reduced length.
     ///
@@ -49,7 +48,7 @@ impl Scene {
     /// let model = |tolerance| leg.within(tolerance).distances().map(|way: Distances<f64>| way.model());
     /// assert_eq!(model(50_000.0), Ok(Model::Sphere));
     /// assert_eq!(model(20.0), Ok(Model::Andoyer));
-    /// assert_eq!(model(1e-3), Ok(Model::Vincenty));
+    /// assert_eq!(model(1e-3), Ok(Model::Karney));
     /// assert!(matches!(model(1e-10), Err(SceneError::OutOfReach(reached)) if reached.distance < 2e-8));
     /// ```
     pub const fn distances<T: Real>(&self) -> Result<Distances<T>, SceneError> {
@@ -141,7 +140,6 @@ impl<T: Real> Distances<T> {
                     .map_err(|_| UnsupportedFlattening(ellipsoid.f()))
             }
             Model::Andoyer => Andoyer::new(ellipsoid).map(AnyModel::Andoyer),
-            Model::Vincenty => Vincenty::new(ellipsoid).map(AnyModel::Vincenty),
             Model::Karney => Karney::new(ellipsoid).map(AnyModel::Karney),
         }
     }

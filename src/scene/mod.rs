@@ -5,7 +5,7 @@
 //!
 //! | question | answers, the cheapest first |
 //! |---|---|
-//! | [`Scene::distances`] | [`Plane`](crate::geodesic::Plane), [`Flat`](crate::geodesic::Flat), the sphere of the best radius, [`Andoyer`](crate::geodesic::Andoyer), [`Vincenty`](crate::geodesic::Vincenty), [`Karney`](crate::geodesic::Karney) |
+//! | [`Scene::distances`] | [`Plane`](crate::geodesic::Plane), [`Flat`](crate::geodesic::Flat), the sphere of the best radius, [`Andoyer`](crate::geodesic::Andoyer), [`Karney`](crate::geodesic::Karney) |
 //! | [`Scene::areas`] | [`PlanarArea`](crate::geodesic::PlanarArea), [`Area`](crate::geodesic::Area) |
 //! | [`Scene::positions`] | [`Expansion`] of the first order, of the second, [`LocalFrame`](crate::LocalFrame) |
 //! | [`Scene::scalar`] | `f32`, `f32` about an origin, `f64` |
@@ -51,7 +51,7 @@
 //!
 //! const LEG: Scene = Scene::new(Ellipsoid::WGS84).up_to(9_000_000.0);
 //! let model = |metres| LEG.within(metres).distances::<f64>().map(|leg| leg.model());
-//! assert_eq!([model(20.0)?, model(10.0)?, model(0.001)?], [Model::Andoyer, Model::Vincenty, Model::Vincenty]);
+//! assert_eq!([model(20.0)?, model(10.0)?, model(0.001)?], [Model::Andoyer, Model::Karney, Model::Karney]);
 //! let leg: Distances<f64> = LEG.within(0.001).distances()?;
 //! let (zurich, johannesburg) = (LatLon::new(47.458, 8.548)?, LatLon::new(-26.139, 28.246)?);
 //! let way = leg.method()?.inverse(zurich, johannesburg)?;

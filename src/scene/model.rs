@@ -1,4 +1,4 @@
-use crate::geodesic::{Andoyer, Direct, Flat, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, Plane, Vincenty};
+use crate::geodesic::{Andoyer, Direct, Flat, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, Plane};
 use crate::{LatLon, Real};
 
 /// A largest error.
@@ -13,8 +13,8 @@ pub struct Bound {
 
 /// The models of distances and azimuths, from the cheapest to the dearest.
 ///
-/// [`Haversine`](crate::geodesic::Haversine), [`Bowring`](crate::geodesic::Bowring) and [`AndoyerSecond`](crate::geodesic::AndoyerSecond) are not among them: each takes more instructions than one that
-/// is more exact.
+/// [`Haversine`](crate::geodesic::Haversine), [`Bowring`](crate::geodesic::Bowring), [`AndoyerSecond`](crate::geodesic::AndoyerSecond) and [`Vincenty`](crate::geodesic::Vincenty) are not among them: each
+/// takes more instructions than one that is more exact; and Vincenty's does not answer everywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Model {
@@ -26,22 +26,13 @@ pub enum Model {
     Sphere,
     /// [`Andoyer`].
     Andoyer,
-    /// [`Vincenty`].
-    Vincenty,
     /// [`Karney`].
     Karney,
 }
 
 impl Model {
     /// All of them.
-    pub const ALL: [Self; 6] = [
-        Self::Plane,
-        Self::Flat,
-        Self::Sphere,
-        Self::Andoyer,
-        Self::Vincenty,
-        Self::Karney,
-    ];
+    pub const ALL: [Self; 5] = [Self::Plane, Self::Flat, Self::Sphere, Self::Andoyer, Self::Karney];
 
     /// Instructions of an inverse problem in `f64`, distance and azimuths, one by one on x86-64 (SSE2), to two digits: `benches/instructions/run` counts them.
     #[must_use]
@@ -51,7 +42,7 @@ impl Model {
             Self::Flat => 450,
             Self::Sphere => 950,
             Self::Andoyer => 1000,
-            Self::Vincenty | Self::Karney => 1100,
+            Self::Karney => 1100,
         }
     }
 }
@@ -69,8 +60,6 @@ pub enum AnyModel<T> {
     Sphere(GreatCircle<T>),
     /// [`Model::Andoyer`].
     Andoyer(Andoyer<T>),
-    /// [`Model::Vincenty`].
-    Vincenty(Vincenty<T>),
     /// [`Model::Karney`].
     Karney(Karney<T>),
 }
@@ -83,7 +72,6 @@ impl<T: Real> Geodesic<T> for AnyModel<T> {
             Self::Flat(method) => method.inverse(from, to),
             Self::Sphere(method) => method.inverse(from, to),
             Self::Andoyer(method) => method.inverse(from, to),
-            Self::Vincenty(method) => method.inverse(from, to),
             Self::Karney(method) => method.inverse(from, to),
         }
     }
@@ -95,7 +83,6 @@ impl<T: Real> Geodesic<T> for AnyModel<T> {
             Self::Flat(method) => method.direct(from, azimuth, distance),
             Self::Sphere(method) => method.direct(from, azimuth, distance),
             Self::Andoyer(method) => method.direct(from, azimuth, distance),
-            Self::Vincenty(method) => method.direct(from, azimuth, distance),
             Self::Karney(method) => method.direct(from, azimuth, distance),
         }
     }

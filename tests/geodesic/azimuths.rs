@@ -88,17 +88,13 @@ fn open_azimuths<T: Scalar>() {
     for f in [1.0 / 298.257_223_563, 0.0, -1.0 / 150.0] {
         let ellipsoid = Ellipsoid::<T>::new(T::of(6.4e6), T::of(f)).unwrap();
         for method in Method::ALL {
-            let earth = method.on(ellipsoid).unwrap();
+            let Ok(earth) = method.on(ellipsoid) else {
+                assert!(*method == Method::Vincenty && f < 0.0, "{method} {f}");
+                continue;
+            };
             for pair in pairs() {
                 let Some(azimuth2) = open(pair) else { continue };
-                // Between poles a method may say that it does not converge.
-                let Ok(line) = earth.inverse(pair.0, pair.1) else {
-                    assert!(
-                        *method == Method::Vincenty && pair.0.lat() != pair.1.lat(),
-                        "{method} {pair:?}"
-                    );
-                    continue;
-                };
+                let line = earth.inverse(pair.0, pair.1).unwrap();
                 let same = pair.0.lat() == pair.1.lat();
                 assert!(
                     line.azimuth1 == T::ZERO && turned(line.azimuth2.into(), azimuth2) < 1e-4,
@@ -134,7 +130,8 @@ fn followed<T: Scalar>(methods: &[Method], ellipsoid: Ellipsoid<T>) -> [f64; 2] 
     let methods: Vec<_> = methods.iter().map(|method| method.on(ellipsoid).unwrap()).collect();
     let mut worst = [Worst::default(), Worst::default()];
     for pair in random.collect::<Vec<_>>().into_iter().chain(pairs()) {
-        let lines = methods.iter().map(|method| method.inverse(pair.0, pair.1).unwrap());
+        // Vincenty's iteration has no answer for some.
+        let lines = methods.iter().filter_map(|method| method.inverse(pair.0, pair.1).ok());
         for line in lines.chain([karney.solve(pair.0, pair.1).inverse]) {
             for (worst, stray) in worst.iter_mut().zip(strays(&reference, pair, line)) {
                 worst.add(stray);
@@ -161,6 +158,13 @@ fn who_follows_the_first_azimuth_arrives_with_the_second() {
         println!("{f:.5}: {double:?} {single:?}");
         assert!(double[0] < 3e-8 && double[1] < 1e-14, "{f} f64: {double:?}");
         assert!(single[0] < 7.0 && single[1] < 3e-6, "{f} f32: {single:?}");
+    }
+    for f in [1.0 / 298.257_223_563, 0.0] {
+        let double = followed(&[Method::Vincenty], Ellipsoid::<f64>::new(6.4e6, f).unwrap());
+        let single = followed(&[Method::Vincenty], Ellipsoid::<f32>::new(6.4e6, f as f32).unwrap());
+        println!("Vincenty {f:.5}: {double:?} {single:?}");
+        assert!(double[0] < 2e-4 && double[1] < 2e-11, "{f} f64: {double:?}");
+        assert!(single[0] < 14.0 && single[1] < 3e-6, "{f} f32: {single:?}");
     }
     // The general way; GeographicLib's series, of one order for all flattenings, are no better.
     for f in [0.01, -0.01] {

@@ -1,16 +1,16 @@
 //! Next to the equator, where differences of latitudes, and half way round azimuths, are below what numbers tell.
 
 use terrella::Ellipsoid;
-use terrella::geodesic::{Geodesic, Karney, Vincenty};
+use terrella::geodesic::{Geodesic, Karney};
 use testkit::minimum;
 
 use crate::sample::place;
 
 /// Opposite longitudes next to the equator, where what tells the azimuth is subnormal.
 #[test]
-fn vincenty_answers_where_numbers_are_subnormal() {
-    for f in [1.0 / 298.257_223_563, 1.0 / 60.0, 1e-3, 1e-6, 1e-9] {
-        let single = Vincenty::new(Ellipsoid::new(6.4e6_f32, f as f32).unwrap()).unwrap();
+fn it_answers_where_numbers_are_subnormal() {
+    for f in [1.0 / 298.257_223_563, 1.0 / 170.0, 1e-3, 1e-6, 1e-9] {
+        let single = Karney::new(Ellipsoid::new(6.4e6_f32, f as f32).unwrap()).unwrap();
         for (lat, lon) in [(1.561_251_1e-16, 8.178_91e-25), (1e-20, 8.178_91e-25), (1e-30, 1e-38)] {
             assert!(
                 single.inverse(place(lat, lon), place(lat, 180.0)).is_ok(),
@@ -23,7 +23,7 @@ fn vincenty_answers_where_numbers_are_subnormal() {
                 "{f:e} {lat:e}: {near:e}"
             );
         }
-        let double = Vincenty::new(Ellipsoid::new(6.4e6, f).unwrap()).unwrap();
+        let double = Karney::new(Ellipsoid::new(6.4e6, f).unwrap()).unwrap();
         for (lat, lon) in [(1e-160, 1e-160), (1e-200, 1e-150), (1e-300, 1e-300)] {
             assert!(
                 double.inverse(place(lat, lon), place(lat, 180.0)).is_ok(),

@@ -1,6 +1,6 @@
 //! How often the longitude is computed: a worse start or a worse step has the same distance in the end, but later.
 
-use terrella::geodesic::{Karney, Vincenty};
+use terrella::geodesic::Karney;
 use terrella::{Ellipsoid, LatLon};
 
 use crate::sample::{even, place, signed};
@@ -57,13 +57,6 @@ fn karney<T: Scalar>(f: f64, means: [f64; 6], most: usize) {
     });
 }
 
-fn vincenty<T: Scalar>(f: f64, means: [f64; 6], most: usize) {
-    let method = Vincenty::<T>::new(Ellipsoid::new(T::of(6.4e6), T::of(f)).unwrap()).unwrap();
-    hold(&format!("vincenty {f}"), means, most, |from, to| {
-        method.evaluations(from, to).unwrap()
-    });
-}
-
 #[test]
 fn karney_needs_as_few_as_it_says() {
     karney::<f64>(1.0 / 298.257_223_563, [3.01, 3.04, 2.97, 2.95, 2.07, 2.88], 14);
@@ -72,12 +65,4 @@ fn karney_needs_as_few_as_it_says() {
     karney::<f32>(0.1, [3.36, 2.78, 2.02, 2.00, 1.93, 2.00], 5);
     karney::<f64>(-1.0 / 150.0, [3.03, 3.67, 4.66, 4.24, 3.05, 3.01], 10);
     karney::<f32>(-1.0 / 150.0, [2.01, 2.27, 2.94, 2.71, 2.03, 2.01], 7);
-}
-
-#[test]
-fn vincenty_needs_as_few_as_it_says() {
-    vincenty::<f64>(1.0 / 298.257_223_563, [3.01, 3.04, 2.97, 2.95, 2.07, 2.88], 12);
-    vincenty::<f32>(1.0 / 298.257_223_563, [2.00, 2.00, 1.97, 1.95, 1.06, 2.02], 7);
-    vincenty::<f64>(-1.0 / 150.0, [3.03, 3.67, 4.66, 4.24, 3.05, 3.01], 10);
-    vincenty::<f32>(-1.0 / 150.0, [2.01, 2.27, 2.94, 2.71, 2.03, 2.01], 7);
 }

@@ -5,6 +5,7 @@
 
 mod along;
 mod andoyer;
+mod antipode;
 mod azimuths;
 mod bowring;
 mod equator;

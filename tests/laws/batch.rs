@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint};
-use terrella::geodesic::{Karney, Straight, Vincenty};
+use terrella::geodesic::{GeodesicError, Karney, Straight, Vincenty};
 use terrella::latitude::Conversion;
 use terrella::{Direction, Ecef, Geodetic, LatLon, Latitude, Real, Shift, Shifted};
 
@@ -344,14 +344,34 @@ fn inverses<T: Scalar>(bytes: &mut Bytes<'_>) {
             |[lat1, lon1, lat2, lon2]| {
                 let from = LatLon::new(lat1, lon1).map_err(InvalidProblem::LatLon)?;
                 let to = LatLon::new(lat2, lon2).map_err(InvalidProblem::LatLon)?;
-                let line = method.inverse(from, to).map_err(InvalidProblem::Geodesic)?;
-                Ok([line.distance, line.azimuth1, line.azimuth2])
+                Ok(match method.inverse(from, to) {
+                    Ok(line) => [line.distance, line.azimuth1, line.azimuth2],
+                    // Of this the batch says where it is first, and goes on.
+                    Err(why) => {
+                        assert_eq!(why, GeodesicError::NotConverged(from, to));
+                        [T::of(f64::NAN); 3]
+                    }
+                })
             },
-            |[lat1, lon1, lat2, lon2], lines| batch::geodesic::inverse(method, [lat1, lon1], [lat2, lon2], lines),
+            |[lat1, lon1, lat2, lon2], [distances, there, back]| {
+                let lines = [&mut *distances, there, back];
+                let found = batch::geodesic::inverse(method, [lat1, lon1], [lat2, lon2], lines);
+                let open = distances.iter().position(|&distance| !distance.into().is_finite());
+                match (found, open) {
+                    (Err(InvalidBatch::Element { index, why }), Some(open)) => {
+                        let [from, to] =
+                            [(lat1, lon1), (lat2, lon2)].map(|(lat, lon)| LatLon::new(lat[open], lon[open]));
+                        let expected = GeodesicError::NotConverged(from.unwrap(), to.unwrap());
+                        assert_eq!((index, why), (open, InvalidProblem::Geodesic(expected)));
+                        Ok(())
+                    }
+                    (found, _) => found,
+                }
+            },
         );
     }
     if bytes.flag() {
-        let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 60.0, 1.0 / 60.0);
+        let ellipsoid = bytes.ellipsoid::<T>(0.0, 1.0 / 293.0);
         by(bytes, &Vincenty::new(ellipsoid).unwrap());
     } else {
         let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 9.0, 0.1);
@@ -379,7 +399,7 @@ fn directs<T: Scalar>(bytes: &mut Bytes<'_>) {
         );
     }
     if bytes.flag() {
-        let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 60.0, 1.0 / 60.0);
+        let ellipsoid = bytes.ellipsoid::<T>(0.0, 1.0 / 293.0);
         by(bytes, &Vincenty::new(ellipsoid).unwrap());
     } else {
         let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 9.0, 0.1);

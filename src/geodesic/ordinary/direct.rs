@@ -2,10 +2,10 @@
 
 use core::f64::consts::PI;
 
-use super::{Answer, Ordinary, grow, series, waves};
-use crate::geodesic::degrees::{heading, off_pole, wrapped};
-use crate::geodesic::{Direct, GeodesicError};
-use crate::math::{Polynomial, either, min, octant, select, sin_cos, sin_cos_degrees};
+use super::{Answer, Ordinary, grow, parametric, series, waves};
+use crate::geodesic::Direct;
+use crate::geodesic::degrees::{off_pole, wrapped};
+use crate::math::{Polynomial, either, octant, select, sin_cos, sin_cos_degrees};
 use crate::{LatLon, Real};
 
 impl<T: Real> Ordinary<T> {
@@ -13,45 +13,26 @@ impl<T: Real> Ordinary<T> {
     #[inline(always)]
     pub fn few_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Answer<Direct<T>> {
         let few = (azimuth.abs() <= T::of(360.0)) & (distance.abs() <= T::pick(300.0, 60.0) * self.b);
-        (self.end(from, sin_cos_degrees(azimuth), distance, false), few)
+        (self.end(from, sin_cos_degrees(azimuth), distance), few)
     }
 
-    /// The direct problem after however many circuits.
-    ///
-    /// # Errors
-    /// [`GeodesicError::Azimuth`], [`GeodesicError::Distance`] if they are not finite; [`GeodesicError::TooFar`] if half of the largest number of
-    /// polar radii is less than the distance.
-    #[cold]
-    #[inline(never)]
-    pub fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let azimuth = heading(azimuth, distance)?;
-        // Twice as far, so that no sum below overflows.
-        if !((distance + distance) / self.b).is_finite() {
-            return Err(GeodesicError::quotient(distance, T::of(0.5) * min(self.b, T::ONE)));
-        }
-        Ok(self.end(from, azimuth, distance, true))
-    }
-
-    /// Where a line ends, of many circuits if need be.
+    /// Where a line ends.
     #[inline(always)]
-    fn end(&self, from: LatLon<T>, (sin_azimuth, cos_azimuth): (T, T), distance: T, many: bool) -> Direct<T> {
-        let ((sin1, cos1), _) = self.parametric(from.lat());
-        let cos1 = off_pole(cos1);
-        let sin_alpha = sin_azimuth * cos1;
-        let across = sin_azimuth * sin1;
-        let square = cos_azimuth * cos_azimuth + across * across;
+    fn end(&self, from: LatLon<T>, azimuth: (T, T), distance: T) -> Direct<T> {
+        let start = Start::new(from, azimuth, self.axes);
+        let Start {
+            sin1, along, square, ..
+        } = start;
         let factor = series(square, &self.epsilon, T::terms(7, 3));
         let epsilon = factor * square;
         let epsilon2 = epsilon * epsilon;
         // cos α₀ times sine and cosine of an arc from the node; of its double, times ε.
-        let along = cos1 * cos_azimuth;
         let doubled = |(sin, cos): (T, T)| (factor * (cos + cos) * sin, factor * ((cos - sin) * (cos + sin)));
         let twice = doubled((sin1, along));
 
         let spherical = distance / self.b;
         let whole = spherical + spherical * inverse_a1_less_1(epsilon);
-        let tau = if many { whole.remainder(T::of(2.0 * PI)) } else { whole };
-        let (sin_tau, cos_tau) = sin_cos(tau);
+        let (sin_tau, cos_tau) = sin_cos(whole);
         let wave1 = c1_sines(epsilon2, twice);
         let (tau1_sin, tau1_cos) = grow((sin1, along), wave1);
         let tau2 = (
@@ -62,13 +43,63 @@ impl<T: Real> Ordinary<T> {
         let sigma = whole + more;
         let (sin, cos) = grow((sin_tau, cos_tau), more);
 
+        let waves = waves(epsilon, twice.1 * cos - twice.0 * sin, (sin, cos));
+        let (a3, bend) = self.i3(epsilon, waves);
+        let shift = self.f * (start.sin_alpha * (a3 * sigma + bend));
+        start.end((sin, cos), shift, false)
+    }
+}
+
+/// A line from a place along an azimuth, on the auxiliary sphere.
+pub(in crate::geodesic) struct Start<T> {
+    from: LatLon<T>,
+    axes: T,
+    azimuth: (T, T),
+    /// Sine and cosine of the parametric latitude.
+    pub sin1: T,
+    cos1: T,
+    /// cos β₁ cos α₁: with sin β₁ cos α₀ times cosine and sine of the arc from the node.
+    pub along: T,
+    pub sin_alpha: T,
+    /// cos²α₀.
+    pub square: T,
+}
+
+impl<T: Real> Start<T> {
+    /// From sine and cosine of the azimuth.
+    #[inline(always)]
+    pub fn new(from: LatLon<T>, azimuth: (T, T), axes: T) -> Self {
+        let ((sin1, cos1), _) = parametric(from.lat(), axes);
+        let cos1 = off_pole(cos1);
+        let (sin_azimuth, cos_azimuth) = azimuth;
+        let across = sin_azimuth * sin1;
+        Self {
+            from,
+            axes,
+            azimuth,
+            sin1,
+            cos1,
+            along: cos1 * cos_azimuth,
+            sin_alpha: sin_azimuth * cos1,
+            square: cos_azimuth * cos_azimuth + across * across,
+        }
+    }
+
+    /// The end of an arc, from its sine and cosine and by what the longitude on the ellipsoid is less than on the sphere, in radians: of many
+    /// circuits if need be.
+    #[inline(always)]
+    pub fn end(&self, (sin, cos): (T, T), shift: T, many: bool) -> Direct<T> {
+        let &Self {
+            sin1,
+            cos1,
+            along,
+            azimuth: (sin_azimuth, cos_azimuth),
+            ..
+        } = self;
         let east = sin_azimuth * sin;
         let outward = cos1 * cos - sin1 * sin * cos_azimuth;
         let up = sin1 * cos + along * sin;
         let north = along * cos - sin1 * sin;
-        let waves = waves(epsilon, twice.1 * cos - twice.0 * sin, (sin, cos));
-        let (a3, bend) = self.i3(epsilon, waves);
-        let shift = self.f * (sin_alpha * (a3 * sigma + bend));
         let shift = shift * T::of(180.0 / PI);
         let shift = if many { shift.remainder(T::of(360.0)) } else { shift };
         let lon = angle_degrees(east, outward) - shift;
@@ -78,10 +109,10 @@ impl<T: Real> Ordinary<T> {
         let (eastward, inward) = (sin_azimuth * cos, cos1 * sin + sin1 * cos * cos_azimuth);
         let outward = either((east == T::ZERO) & (outward == T::ZERO), T::ONE) + outward;
         let polar = up * up > T::of(0.75);
-        let course = select(polar, (outward * eastward + east * inward) * up.abs(), sin_alpha);
+        let course = select(polar, (outward * eastward + east * inward) * up.abs(), self.sin_alpha);
         let ahead = select(polar, (outward * inward - east * eastward) * T::ONE.copysign(up), north);
         Direct {
-            position: LatLon::within(lat, wrapped(from.lon() + wrapped(lon))),
+            position: LatLon::within(lat, wrapped(self.from.lon() + wrapped(lon))),
             azimuth: angle_degrees(course, ahead),
         }
     }

@@ -6,7 +6,7 @@
 
 use core::f64::consts::{FRAC_PI_4, PI};
 
-use super::{Answer, Ordinary, grow, series, waves};
+use super::{Answer, Ordinary, grow, parametric, series, waves};
 use crate::geodesic::Inverse;
 use crate::geodesic::degrees::{Split, longitude_difference};
 use crate::math::{Polynomial, choose, halves, max, min, mirrored, negated, octant, sin_cos_eighth, sin_cos_quarter};
@@ -16,7 +16,7 @@ use crate::{LatLon, Real};
 ///
 /// Seen from the first end, or near the antipode from opposite of it: there ω, λ and β₁ stand for π − ω, π − λ and −β₁.
 #[derive(Clone, Copy)]
-struct Ends<T> {
+pub(in crate::geodesic) struct Ends<T> {
     lat1: T,
     lat2: T,
     /// Sine and cosine of the parametric latitudes.
@@ -25,16 +25,16 @@ struct Ends<T> {
     /// sin(β₂ ∓ β₁)/sin(φ₂ ∓ φ₁).
     scale: T,
     /// The difference of longitudes in degrees, and of half of it sine and cosine.
-    lon: T,
-    half: (T, T),
+    pub lon: T,
+    pub half: (T, T),
     /// What the difference's rounding lost, in radians.
-    rest: T,
+    pub rest: T,
     /// −1 westward.
     east: T,
-    swap: bool,
+    pub swap: bool,
     /// Whether it is nearly antipodal; then −1, else 1.
     far: bool,
-    side: T,
+    pub side: T,
     /// sin(β₂ − β₁).
     rise: T,
     /// The smallest ω near the antipode.
@@ -43,21 +43,21 @@ struct Ends<T> {
 
 /// The great circle between two places for one ω.
 #[derive(Clone, Copy)]
-struct Arc<T> {
+pub(in crate::geodesic) struct Arc<T> {
     /// sin σ times sine and cosine of the azimuths.
-    course1: (T, T),
-    course2: (T, T),
+    pub course1: (T, T),
+    pub course2: (T, T),
     /// 1/sin²σ.
     inverse_square: T,
-    sin_sigma: T,
-    cos_sigma: T,
-    sin_alpha: T,
+    pub sin_sigma: T,
+    pub cos_sigma: T,
+    pub sin_alpha: T,
     /// cos²α₀.
-    square: T,
+    pub square: T,
     /// d sin α₀/dω.
     bend: T,
     /// cos²α₀ cos 2σₘ.
-    middle: T,
+    pub middle: T,
 }
 
 /// A line, once it is found.
@@ -85,7 +85,7 @@ impl<T: Real> Ordinary<T> {
     /// The inverse problem; not found between places that are all but the same, nor from pole to pole: no others are known.
     #[inline(always)]
     pub fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Option<Inverse<T>> {
-        let ends = self.ends(from, to);
+        let ends = Ends::new(self.axes, from, to);
         let far = ends.nearly_antipodal();
         if far && !cfg!(small) {
             return self.far_inverse(ends);
@@ -95,14 +95,14 @@ impl<T: Real> Ordinary<T> {
 
     /// The same with the rest of the line.
     pub fn whole(&self, from: LatLon<T>, to: LatLon<T>) -> Option<Line<T>> {
-        let ends = self.ends(from, to);
+        let ends = Ends::new(self.axes, from, to);
         self.solve(ends, ends.nearly_antipodal())
     }
 
     /// The inverse problem without a branch; not found between nearly antipodal places, either.
     #[inline(always)]
     pub fn near_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Answer<Inverse<T>> {
-        let mut ends = self.ends(from, to);
+        let mut ends = Ends::new(self.axes, from, to);
         ends.see(false);
         let line = self.line(&ends, fixed::<T>());
         (line.inverse, line.found & !ends.nearly_antipodal())
@@ -125,34 +125,6 @@ impl<T: Real> Ordinary<T> {
         }
         let line = self.line(&ends, STEPS);
         line.found.then_some(line)
-    }
-
-    /// The ends of an inverse problem's line, not seen yet.
-    #[cfg_attr(not(small), inline(always))]
-    fn ends(&self, from: LatLon<T>, to: LatLon<T>) -> Ends<T> {
-        let Split { angle, rest } = longitude_difference(from, to);
-        let east = T::ONE.copysign(angle);
-        let swap = from.lat().abs() < to.lat().abs();
-        let lat1 = choose(swap, to.lat(), from.lat());
-        let lat2 = choose(swap, from.lat(), to.lat());
-        let (beta1, inverse1) = self.parametric(lat1);
-        let (beta2, inverse2) = self.parametric(lat2);
-        Ends {
-            lat1,
-            lat2,
-            beta1,
-            beta2,
-            scale: self.axes * inverse1 * inverse2,
-            lon: angle.abs(),
-            half: sin_cos_quarter(angle.abs() * T::of(0.5)),
-            rest: rest * east * T::of(PI / 180.0),
-            east,
-            swap,
-            far: false,
-            side: T::ONE,
-            rise: T::ZERO,
-            least: T::ZERO,
-        }
     }
 
     /// Between latitudes exactly opposite and up to the λ at which its azimuth is 90°, the line leaves the antipode to the north or to the south,
@@ -318,10 +290,38 @@ impl<T: Real> Ordinary<T> {
 }
 
 impl<T: Real> Ends<T> {
+    /// The ends of an inverse problem's line, not seen yet.
+    #[cfg_attr(not(small), inline(always))]
+    pub fn new(axes: T, from: LatLon<T>, to: LatLon<T>) -> Self {
+        let Split { angle, rest } = longitude_difference(from, to);
+        let east = T::ONE.copysign(angle);
+        let swap = from.lat().abs() < to.lat().abs();
+        let lat1 = choose(swap, to.lat(), from.lat());
+        let lat2 = choose(swap, from.lat(), to.lat());
+        let (beta1, inverse1) = parametric(lat1, axes);
+        let (beta2, inverse2) = parametric(lat2, axes);
+        Self {
+            lat1,
+            lat2,
+            beta1,
+            beta2,
+            scale: axes * inverse1 * inverse2,
+            lon: angle.abs(),
+            half: sin_cos_quarter(angle.abs() * T::of(0.5)),
+            rest: rest * east * T::of(PI / 180.0),
+            east,
+            swap,
+            far: false,
+            side: T::ONE,
+            rise: T::ZERO,
+            least: T::ZERO,
+        }
+    }
+
     /// Whether the places are so nearly antipodal, 170° apart or more, that ω turns the line faster than λ tells it. To be asked before the ends are
     /// seen from opposite.
     #[inline(always)]
-    fn nearly_antipodal(&self) -> bool {
+    pub fn nearly_antipodal(&self) -> bool {
         let (sin_half, _) = self.half;
         let cos_lambda = T::ONE - (sin_half + sin_half) * sin_half;
         let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
@@ -331,14 +331,14 @@ impl<T: Real> Ends<T> {
 
     /// π − λ.
     #[inline(always)]
-    fn supplement(&self) -> T {
+    pub fn supplement(&self) -> T {
         (T::of(180.0) - self.lon) * T::of(PI / 180.0) - self.rest
     }
 
     /// An azimuth in degrees, and what it turns by in radians.
     #[cfg_attr(not(small), inline(always))]
     #[cfg_attr(small, inline(never))]
-    fn azimuth(&self, (sin, cos): (T, T), turn: T) -> T {
+    pub fn azimuth(&self, (sin, cos): (T, T), turn: T) -> T {
         let (eighths, small) = octant(sin.abs(), cos);
         let (eighths, small) = (
             mirrored(self.swap, T::of(4.0), eighths),
@@ -350,7 +350,7 @@ impl<T: Real> Ends<T> {
 
     /// From the first end, or from opposite of it.
     #[inline(always)]
-    fn see(&mut self, far: bool) {
+    pub fn see(&mut self, far: bool) {
         self.far = far;
         self.side = if far { -T::ONE } else { T::ONE };
         self.beta1.0 *= self.side;
@@ -374,7 +374,7 @@ impl<T: Real> Ends<T> {
 
     /// The great circle for an ω that has grown by so much; near the antipode for this one, to a quarter circle.
     #[cfg_attr(not(small), inline(always))]
-    fn grown(&self, by: T) -> Arc<T> {
+    pub fn grown(&self, by: T) -> Arc<T> {
         let by = by * T::of(0.5);
         self.arc(if self.far {
             sin_cos_eighth(by)
@@ -385,7 +385,7 @@ impl<T: Real> Ends<T> {
 
     /// The great circle for an ω, given by sine and cosine of its half.
     #[inline(always)]
-    fn arc(&self, (sin_half, cos_half): (T, T)) -> Arc<T> {
+    pub fn arc(&self, (sin_half, cos_half): (T, T)) -> Arc<T> {
         let ((sin1, cos1), (sin2, cos2)) = (self.beta1, self.beta2);
         let side = self.side;
         let twice = sin_half + sin_half;

@@ -13,7 +13,8 @@ use crate::{Ellipsoid, Real};
 mod direct;
 mod inverse;
 
-pub(super) use inverse::Line;
+pub(super) use direct::Start;
+pub(super) use inverse::{Arc, Ends, Line};
 
 /// An ellipsoid as the straight lines need it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,15 +86,6 @@ impl<T: Real> Ordinary<T> {
         distance.abs() <= T::of(50.0) * self.b
     }
 
-    /// Sine and cosine of the parametric latitude, and 1/√(cos²φ + (1 − f)² sin²φ).
-    #[cfg_attr(not(small), inline(always))]
-    fn parametric(&self, lat: T) -> ((T, T), T) {
-        let (sin, cos) = sin_cos_quarter(lat.abs());
-        let sin = (sin * self.axes).copysign(lat);
-        let inverse = T::ONE / (sin * sin + cos * cos).sqrt();
-        ((sin * inverse, cos * inverse), inverse)
-    }
-
     /// A₃, and I₃ less A₃σ between the ends.
     #[cfg_attr(not(small), inline(always))]
     fn i3(&self, epsilon: T, [w1, w2, w3, w4, _]: [T; 5]) -> (T, T) {
@@ -106,6 +98,15 @@ impl<T: Real> Ordinary<T> {
         };
         (series(epsilon, &self.a3, T::terms(5, 3)), sum)
     }
+}
+
+/// Sine and cosine of the parametric latitude, and 1/√(cos²φ + (1 − f)² sin²φ).
+#[cfg_attr(not(small), inline(always))]
+fn parametric<T: Real>(lat: T, axes: T) -> ((T, T), T) {
+    let (sin, cos) = sin_cos_quarter(lat.abs());
+    let sin = (sin * axes).copysign(lat);
+    let inverse = T::ONE / (sin * sin + cos * cos).sqrt();
+    ((sin * inverse, cos * inverse), inverse)
 }
 
 /// ε^l cos lμ sin lσ, l = 1, 2, …, from ε cos μ.
@@ -125,7 +126,7 @@ fn waves<T: Real>(epsilon: T, middle: T, (sin, cos): (T, T)) -> [T; 5] {
 
 /// Sine and cosine of an angle, given so, and a small one in radians, below 0.03.
 #[inline(always)]
-fn grow<T: Real>((sin, cos): (T, T), by: T) -> (T, T) {
+pub(super) fn grow<T: Real>((sin, cos): (T, T), by: T) -> (T, T) {
     let of = T::of;
     let square = by * by;
     let (small_sin, small_versine) = if T::terms(3, 2) == 3 {
