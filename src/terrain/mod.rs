@@ -78,6 +78,7 @@
 mod bilinear;
 mod bounds;
 mod camera;
+mod coverage;
 mod flatness;
 mod footprint;
 mod heights;
@@ -90,6 +91,7 @@ mod patch;
 mod s2;
 mod selection;
 mod series;
+mod slab;
 mod solid_angle;
 mod split;
 mod symmetry;

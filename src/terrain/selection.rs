@@ -2,11 +2,12 @@ use core::fmt;
 use core::iter::FusedIterator;
 
 use super::footprint::Footprint;
+use super::slab::Slab;
 use super::{Camera, Enclosure, Heights, Horizon, InvalidTile, OrientedBox, Tile};
-use crate::Real;
 use crate::cube::{CubeProjection, Face};
 use crate::distortion::texture::anisotropic;
 use crate::math::{log2, min};
+use crate::{Ecef, Real};
 
 /// How finely a picture wants its terrain.
 ///
@@ -128,6 +129,8 @@ impl<T: fmt::Debug> core::error::Error for InvalidDetail<T> {}
 pub struct Selection<'a, T, P, H> {
     enclosure: &'a Enclosure<T, P>,
     camera: Camera<T>,
+    /// Where lines of sight meet, if they do.
+    centre: Option<Ecef<T>>,
     horizon: Horizon<T>,
     detail: Detail<T>,
     /// The pixels that a tile may cover.
@@ -147,7 +150,8 @@ impl<'a, T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Selection<'a,
         Self {
             enclosure,
             camera,
-            horizon: Horizon::new(enclosure.map().shifted().ellipsoid(), lowest, camera.eye()),
+            centre: camera.point(),
+            horizon: Horizon::of(enclosure.map().shifted().ellipsoid(), lowest, &camera),
             detail,
             most: detail.ratio * (detail.samples * detail.samples),
             coarsest: -(T::of(0.5) * log2(detail.ratio)),
@@ -159,17 +163,21 @@ impl<'a, T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Selection<'a,
     /// Whether a tile that is seen is too coarse.
     #[inline]
     fn is_coarse(&self, tile: Tile, heights: Heights<T>, bounds: &OrientedBox<T>) -> bool {
+        let slab = Slab::new(bounds, &self.camera, self.centre);
         if self.detail.anisotropy == T::ZERO {
-            return self.camera.coverage(bounds) > self.most;
+            return self.enclosure.covered(&self.camera, tile, heights, &slab) > self.most;
         }
-        let [width, height, _] = bounds.half();
-        if bounds.distance(self.camera.eye()) < (width * width + height * height).sqrt() {
+        let [width, height, _] = slab.bounds.half();
+        if slab
+            .away
+            .is_some_and(|away| away < (width * width + height * height).sqrt())
+        {
             return true;
         }
-        let height = T::of(0.5) * (heights.low() + heights.high());
+        let height = T::of(0.5) * (heights.low() + heights.high()) + slab.above;
         let texels = T::of(0.5) * self.detail.samples * T::whole(1 << tile.level());
         let footprint = Footprint::new(&self.enclosure.map(), &self.camera, height);
-        (0..9).any(|n| match footprint.at(tile.node([n % 3, n / 3], 2)) {
+        (0..9).any(|n| match footprint.at(tile.node([n % 3, n / 3], 2), &self.horizon) {
             None => false,
             Some(units) => {
                 let [across, along] = units.map(|side| side.map(|unit| unit * texels));
