@@ -75,6 +75,7 @@
 //! (`cargo test --release --test terrain -- --ignored --nocapture a_million_vertices`). Coarse tiles need displacements, fine ones do not: with most projections tiles of level 12 on the Earth are within 1 m of flat, of level 15
 //! within 1 cm, of level 17 within 1 mm ([`Patches::plain_level`] has the table).
 
+mod base;
 mod bilinear;
 mod bounds;
 mod camera;
@@ -100,6 +101,7 @@ mod vector;
 mod vertices;
 mod volume;
 
+pub use base::{Base, InvalidBase};
 pub use bounds::Enclosure;
 pub use camera::{Camera, InvalidCamera};
 pub use flatness::Flatness;

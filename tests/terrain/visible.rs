@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use terrella::cube::{Balanced, CubeMap, FacePoint};
 use terrella::terrain::{Camera, Detail, Enclosure, Heights, Horizon, Selection, Tile};
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
+use testkit::{maximum, minimum};
 
 type Vector = [f64; 3];
 
@@ -104,7 +105,9 @@ impl Ground {
                 .to_array()
         };
         let heights = (0..17 * 17).map(|k| self.height(normal(k)));
-        let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], h| [a.min(h), b.max(h)]);
+        let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], h| {
+            [minimum(a, h), maximum(b, h)]
+        });
         Heights::new(low, high).unwrap()
     }
 
@@ -120,7 +123,7 @@ impl Ground {
             .collect();
         let middle = normals[8 * 17 + 8];
         let radius = normals.iter().map(|&n| plus(n, -1.0, middle)).map(|d| dot(d, d).sqrt());
-        let radius = 1.02 * radius.fold(0.0, |a, b| if b > a { b } else { a });
+        let radius = 1.02 * radius.fold(0.0, maximum);
         let (mut low, mut high) = (self.mean, self.mean);
         for wave in &self.waves {
             let (at, way) = (
@@ -130,12 +133,12 @@ impl Ground {
             // Whether there is a place where the angle is this one and whole turns.
             let has = |angle: f64| angle + ((at - way - angle) / TAU).ceil() * TAU <= at + way;
             let [a, b] = [(at - way).sin(), (at + way).sin()];
-            low += wave.height * if has(-TAU / 4.0) { -1.0 } else { a.min(b) };
-            high += wave.height * if has(TAU / 4.0) { 1.0 } else { a.max(b) };
+            low += wave.height * if has(-TAU / 4.0) { -1.0 } else { minimum(a, b) };
+            high += wave.height * if has(TAU / 4.0) { 1.0 } else { maximum(a, b) };
         }
         let rest = self.steepest * radius * self.map.shifted().ellipsoid().a() / 22.0;
         let sampled = self.sampled(tile);
-        Heights::new(low.max(sampled.low() - rest), high.min(sampled.high() + rest)).unwrap()
+        Heights::new(maximum(low, sampled.low() - rest), minimum(high, sampled.high() + rest)).unwrap()
     }
 }
 
@@ -445,7 +448,7 @@ fn by_the_rule(ground: &Ground, view: &View, ratio: f64) -> usize {
     let lowest = roots
         .iter()
         .map(|&root| ground.sampled(root).low())
-        .fold(f64::INFINITY, f64::min);
+        .fold(f64::INFINITY, minimum);
     let horizon = Horizon::of(ground.map.shifted().ellipsoid(), lowest, &camera);
     let (mut left, mut count) = (roots.to_vec(), 0);
     while let Some(tile) = left.pop() {
