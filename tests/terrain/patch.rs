@@ -23,13 +23,16 @@ pub fn mutable(columns: &mut Columns) -> [&mut [f32]; 3] {
     columns.each_mut().map(Vec::as_mut_slice)
 }
 
-/// Displacements and normals.
+/// Displacements and normals, on the ellipsoid.
 pub fn fill(patches: &Patches<Projection>, tile: Tile, samples: u32) -> [Columns; 2] {
+    lifted(patches, tile, Base::default(), samples)
+}
+
+/// Displacements and normals.
+pub fn lifted(patches: &Patches<Projection>, tile: Tile, base: Base, samples: u32) -> [Columns; 2] {
     let mut both = [columns(samples), columns(samples)];
     let [o, n] = &mut both;
-    patches
-        .fill(tile, Base::default(), samples, mutable(o), mutable(n))
-        .unwrap();
+    patches.fill(tile, base, samples, mutable(o), mutable(n)).unwrap();
     both
 }
 

@@ -7,7 +7,7 @@ use terrella::terrain::{
     Camera, Detail, Enclosure, Heights, Horizon, InvalidCamera, InvalidDetail, InvalidTile, Selection, Tile,
 };
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
-use testkit::{maximum, minimum};
+use testkit::minimum;
 
 type Vector = [f64; 3];
 
