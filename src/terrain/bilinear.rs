@@ -9,8 +9,8 @@ pub(super) fn weights<T: Real>([m, n]: [T; 2], count: T) -> [T; 4] {
     [right * up, left * up, left * down, right * down]
 }
 
-/// The weighted mean of four numbers: opposite corners first, so that a mirrored or a transposed square has the same sums, and on an edge
-/// the order of its ends does not count.
+/// The weighted mean of four numbers: opposite corners first, so that a mirrored or a transposed square has
+/// the same sums, and on an edge the order of its ends does not count.
 #[inline(always)]
 pub(super) fn mean<T: Real>([a, b, c, d]: [T; 4], [wa, wb, wc, wd]: [T; 4]) -> T {
     (a * wa + c * wc) + (b * wb + d * wd)

@@ -7,13 +7,15 @@ use crate::{Ecef, Real};
 
 /// A view of the planet: where the eye is, the renderer's matrix, and the pixels of the picture.
 ///
-/// The matrix takes a point in metres, relative to the eye and along Earth axes, to clip coordinates: a column vector (X, Y, Z, 1) to (x, y, z, w), with
-/// what is seen at −w ≤ x ≤ w and −w ≤ y ≤ w, where w > 0. z is not looked at, so that any convention of depth will do. y may be up or down, and the picture mirrored.
+/// The matrix takes a point in metres, relative to the eye and along Earth axes, to clip coordinates: a
+/// column vector (X, Y, Z, 1) to (x, y, z, w), with what is seen at −w ≤ x ≤ w and −w ≤ y ≤ w, where w > 0. z
+/// is not looked at, so that any convention of depth will do. y may be up or down, and the picture mirrored.
 ///
-/// Lines of sight meet in the centre of projection, where x = y = w = 0: at the eye if the matrix has zeros in its last column, elsewhere if not, and for a
-/// parallel projection, whose last row is 0, 0, 0, 1, infinitely far away. Parallel lines of sight come to the planet from the side on which the eye is: of the two
-/// directions, which the matrix does not tell apart, the one that leads down to the planet at the eye. Nothing is behind a parallel projection's eye: of all places on a line of sight
-/// the first is seen.
+/// Lines of sight meet in the centre of projection, where x = y = w = 0: at the eye if the matrix has zeros
+/// in its last column, elsewhere if not, and for a parallel projection, whose last row is 0, 0, 0, 1,
+/// infinitely far away. Parallel lines of sight come to the planet from the side on which the eye is: of the
+/// two directions, which the matrix does not tell apart, the one that leads down to the planet at the eye.
+/// Nothing is behind a parallel projection's eye: of all places on a line of sight the first is seen.
 ///
 /// ```
 /// use terrella::Ecef;
@@ -63,7 +65,8 @@ impl<T: Real> Camera<T> {
         Ecef::within(x, y, z)
     }
 
-    /// Where a point is in the picture, in pixels from its middle, to the right and up; none for a point that is not before the eye, where w ≤ 0.
+    /// Where a point is in the picture, in pixels from its middle, to the right and up; none for a point that
+    /// is not before the eye, where w ≤ 0.
     #[must_use]
     #[inline]
     pub fn pixel(&self, point: Ecef<T>) -> Option<[T; 2]> {
@@ -71,15 +74,16 @@ impl<T: Real> Camera<T> {
         (w > T::ZERO).then(|| self.on_picture([x, y, w]))
     }
 
-    /// Whether any of a box may be in the picture: of its slices along the third axis one that is not all behind the eye or beyond one side of the view, for boxes that are
-    /// far from it a safe guess.
+    /// Whether any of a box may be in the picture: of its slices along the third axis one that is not all
+    /// behind the eye or beyond one side of the view, for boxes that are far from it a safe guess.
     #[must_use]
     #[inline]
     pub fn sees(&self, bounds: &OrientedBox<T>) -> bool {
         self.slices(bounds, T::ONE).is_some()
     }
 
-    /// From which slice of a box to which, from −1 to 1 along its third axis, slices of so many times its width and height are not all beyond one side of the view.
+    /// From which slice of a box to which, from −1 to 1 along its third axis, slices of so many times its
+    /// width and height are not all beyond one side of the view.
     #[inline]
     pub(super) fn slices(&self, bounds: &OrientedBox<T>, size: T) -> Option<[T; 2]> {
         let [first, second, upward] = bounds.axes;
@@ -101,7 +105,8 @@ impl<T: Real> Camera<T> {
         let few = T::of(8.0) * T::EPSILON;
         let (mut low, mut high) = (-T::ONE - few, T::ONE + few);
         for ((((inside, rest), across), along), rise) in inside.into_iter().zip(rest).zip(across).zip(along).zip(rise) {
-            // How far inside this side of the view the middle slice is with the corner that is farthest inside.
+            // How far inside this side of the view the middle slice is with the corner that is farthest
+            // inside.
             let reach = inside + across.abs() + along.abs() + few * rest;
             let bound = -(reach / rise);
             if rise > T::ZERO {
@@ -121,7 +126,8 @@ impl<T: Real> Camera<T> {
         self.rows.map(|[a, b, c, d]| dot([a, b, c], [x, y, z]) + d * one)
     }
 
-    /// The centre of projection from the eye, times its weight, and the weight: 0 for one that is infinitely far away; all 0 where there is none.
+    /// The centre of projection from the eye, times its weight, and the weight: 0 for one that is infinitely
+    /// far away; all 0 where there is none.
     ///
     /// Where three rows are 0: the determinants of their columns but one.
     #[inline]

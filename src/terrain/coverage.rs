@@ -9,14 +9,18 @@ use crate::math::{max, min, select};
 pub(super) const BOUNDARY: [[u32; 2]; 8] = [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2], [0, 1]];
 
 impl<T: Real, P: CubeProjection> Enclosure<T, P> {
-    /// How many pixels the ground of a tile is taken to cover, whether they are in the picture or beyond its sides; infinitely many if it is partly behind the eye.
+    /// How many pixels the ground of a tile is taken to cover, whether they are in the picture or beyond its
+    /// sides; infinitely many if it is partly behind the eye.
     ///
-    /// It is the area within the tile's edges at the middle of its heights, and what a relief of two fifths of their range has of outline beyond that: half of the sum of four walls along the
-    /// edges, since a line of sight that meets two of them enters by one. Two fifths, because hills do not fill their box: with that there are about as many tiles as there would be if
-    /// the ground itself were known (`tests/terrain/visible.rs`). Slopes that turn their back count as if they were seen.
+    /// It is the area within the tile's edges at the middle of its heights, and what a relief of two fifths
+    /// of their range has of outline beyond that: half of the sum of four walls along the edges, since a line
+    /// of sight that meets two of them enters by one. Two fifths, because hills do not fill their box: with
+    /// that there are about as many tiles as there would be if the ground itself were known
+    /// (`tests/terrain/visible.rs`). Slopes that turn their back count as if they were seen.
     ///
-    /// Where heights are farther apart than the tile is wide, the ground is somewhere in a tall box and not everywhere: a box as high as wide is taken for it, the nearest to the centre of projection of
-    /// those that may be in the picture. Infinitely many pixels if the centre of projection is in it.
+    /// Where heights are farther apart than the tile is wide, the ground is somewhere in a tall box and not
+    /// everywhere: a box as high as wide is taken for it, the nearest to the centre of projection of those
+    /// that may be in the picture. Infinitely many pixels if the centre of projection is in it.
     ///
     /// ```
     /// use terrella::cube::{Balanced, CubeMap, Face};
@@ -27,10 +31,10 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
     /// let eye = Ecef::new(6_478_137.0, 0.0, 0.0)?; // 100 km above 0° N 0° E
     /// let matrix = [[0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0], [0.0; 4], [-1.0, 0.0, 0.0, 0.0]];
     /// let camera = Camera::new(eye, matrix, [1024.0, 1024.0])?;
-    /// // 9.2 km wide, 94 pixels.
+    /// // 9.5 km wide, 97 pixels.
     /// let tile = Tile::new(Face::Front, 10, 512, 512)?;
     /// let pixels = enclosure.coverage(&camera, tile, Heights::default());
-    /// assert!((pixels.sqrt() - 94.0).abs() < 1.0);
+    /// assert!((pixels.sqrt() - 97.0).abs() < 1.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]

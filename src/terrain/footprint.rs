@@ -27,10 +27,11 @@ impl<T: Real, P: CubeProjection> Footprint<T, P> {
         }
     }
 
-    /// What a pixel to the right and a pixel up change x and y by; none where the ground is behind the eye, the planet itself hides it, or the map has no
-    /// derivative.
+    /// What a pixel to the right and a pixel up change x and y by; none where the ground is behind the eye,
+    /// the planet itself hides it, or the map has no derivative.
     ///
-    /// Ground above the eye is as if seen from below, and its area negative, as it is of all ground in a mirrored picture.
+    /// Ground above the eye is as if seen from below, and its area negative, as it is of all ground in a
+    /// mirrored picture.
     pub(super) fn at(&self, point: FacePoint<T>, horizon: &Horizon<T>) -> Option<[[T; 2]; 2]> {
         let face = point.face();
         let variables = Dual::variables([point.x(), point.y()]);

@@ -13,8 +13,9 @@ use crate::{Ecef, Ellipsoid, Real};
 /// nowhere above the depth: at any normal it is lower by |lowest|·H/b, where H is the ellipsoid's support, and H ≥ b. For `lowest` above, b is the
 /// larger axis.
 ///
-/// Parallel lines of sight ([`of`](Self::of)) are those of an eye that is infinitely far away: with D toward it, of length 1 in scaled space, T is beyond the plane of the horizon for
-/// T·D < 0 and hidden if T² − (T·D)² < 1 too.
+/// Parallel lines of sight ([`of`](Self::of)) are those of an eye that is infinitely far away: with D toward
+/// it, of length 1 in scaled space, T is beyond the plane of the horizon for T·D < 0 and hidden if T² −
+/// (T·D)² < 1 too.
 ///
 /// What is hidden is a convex set, and with a point all that is behind it. A point inside the planet is hidden if it is beyond the plane of the
 /// horizon; on the near side it counts as seen, like the ground above it. From inside nothing is hidden. Rounding is
@@ -74,7 +75,8 @@ impl<T: Real> Horizon<T> {
         }
     }
 
-    /// The same for a camera: from its centre of projection, which may be infinitely far away, wherever the eye is.
+    /// The same for a camera: from its centre of projection, which may be infinitely far away, wherever the
+    /// eye is.
     ///
     /// ```
     /// use terrella::terrain::{Camera, Horizon};

@@ -13,13 +13,14 @@ const MOST: u32 = 4097;
 
 /// Tiles as patches of an ellipsoid, for a renderer that works in single precision (Lambers & Kolb 2012, section 4).
 ///
-/// Once per tile: its corners in double precision, lifted to a [`Base`] near the ground, and for each sample of a grid the displacement of the base from the bilinear
-/// patch between the corners, and the ellipsoid's normal, in single precision ([`fill`](Self::fill)). Once per frame: the
-/// corners less the camera, subtracted in double and rounded to single precision ([`Patch::seen_from`]); each vertex is then
-/// P′ + o + h·n in single precision, h being the height above the base ([`Vertices`]).
+/// Once per tile: its corners in double precision, lifted to a [`Base`] near the ground, and for each sample
+/// of a grid the displacement of the base from the bilinear patch between the corners, and the ellipsoid's
+/// normal, in single precision ([`fill`](Self::fill)). Once per frame: the corners less the camera,
+/// subtracted in double and rounded to single precision ([`Patch::seen_from`]); each vertex is then P′ + o +
+/// h·n in single precision, h being the height above the base ([`Vertices`]).
 ///
-/// The paper has its corners on the ellipsoid, and h is then the height above that: on a mountain of 8 km single precision adds kilometres to kilometres, and is off by millimetres
-/// however near the eye is.
+/// The paper has its corners on the ellipsoid, and h is then the height above that: on a mountain of 8 km
+/// single precision adds kilometres to kilometres, and is off by millimetres however near the eye is.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -58,7 +59,8 @@ impl<P: CubeProjection> Patches<P> {
         self.map
     }
 
-    /// The corners of a tile, lifted to a base: all that is needed of it from the level of [`plain_level`](Self::plain_level) on.
+    /// The corners of a tile, lifted to a base: all that is needed of it from the level of
+    /// [`plain_level`](Self::plain_level) on.
     #[must_use]
     pub fn of(&self, tile: Tile, base: Base) -> Patch {
         let mut heights = base.corners().into_iter();
@@ -74,11 +76,13 @@ impl<P: CubeProjection> Patches<P> {
         }
     }
 
-    /// The corners of a tile, lifted to a base, and for each of `samples` × `samples` places, in rows from below, edges included: the displacement of the base from the bilinear
-    /// patch between the corners in metres and the ellipsoid's outward normal, both in Earth axes, each into three slices for x, y and z.
+    /// The corners of a tile, lifted to a base, and for each of `samples` × `samples` places, in rows from
+    /// below, edges included: the displacement of the base from the bilinear patch between the corners in
+    /// metres and the ellipsoid's outward normal, both in Earth axes, each into three slices for x, y and z.
     ///
-    /// Displacements are rounded from values within 4 nm (on the Earth), normals from values within 4·10⁻¹⁶. Along an edge that two tiles of a
-    /// level share, both have the same bits, on whichever faces they are, if their bases have the same heights in its two ends: what lies on the edge of a face is computed on
+    /// Displacements are rounded from values within 4 nm (on the Earth), normals from values within 4·10⁻¹⁶.
+    /// Along an edge that two tiles of a level share, both have the same bits, on whichever faces they are,
+    /// if their bases have the same heights in its two ends: what lies on the edge of a face is computed on
     /// the face of the smallest number.
     ///
     /// # Errors
@@ -156,7 +160,8 @@ pub struct Patch {
 }
 
 impl Patch {
-    /// The corners at their heights in metres in Earth axes, counter-clockwise from the one of largest x and y, as [`Corner::ALL`].
+    /// The corners at their heights in metres in Earth axes, counter-clockwise from the one of largest x and
+    /// y, as [`Corner::ALL`].
     #[must_use]
     pub fn corners(&self) -> [Ecef<f64>; 4] {
         self.corners.map(|[x, y, z]| Ecef::within(x, y, z))

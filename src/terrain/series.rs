@@ -10,10 +10,12 @@ use crate::{Direction, Dual, Ecef, Real};
 /// First and second derivatives by two variables.
 type Second = Dual<Dual<f64, 2>, 2>;
 
-/// A tile, at the height that its base has in the middle, as a Taylor series of the second order about its middle: another way to vertices in single precision, without a grid in memory.
+/// A tile, at the height that its base has in the middle, as a Taylor series of the second order about its
+/// middle: another way to vertices in single precision, without a grid in memory.
 ///
-/// From derivatives in double precision to coefficients in single precision. A vertex from the camera is [`origin`](Self::origin), once per
-/// frame, plus [`offset`](Self::offset) and, where there is terrain, h·n, with h the height above the base's middle. It meets the next tile only as far as the series holds:
+/// From derivatives in double precision to coefficients in single precision. A vertex from the camera is
+/// [`origin`](Self::origin), once per frame, plus [`offset`](Self::offset) and, where there is terrain, h·n,
+/// with h the height above the base's middle. It meets the next tile only as far as the series holds:
 /// [`Patches::truncation`] bounds what it leaves out, and edges may part by twice that.
 ///
 /// ```
@@ -64,7 +66,8 @@ impl Series {
 
     /// The base from the middle of the tile in metres, at (u, v) = (2s − 1, 2t − 1) in [−1, 1]².
     ///
-    /// Within [`Patches::truncation`], in proportion to the radius of curvature and the base's height together, and 3·10⁻⁷ of the way.
+    /// Within [`Patches::truncation`], in proportion to the radius of curvature and the base's height
+    /// together, and 3·10⁻⁷ of the way.
     #[must_use]
     #[inline(always)]
     pub fn offset(&self, place: [f32; 2]) -> [f32; 3] {
@@ -96,7 +99,8 @@ impl<P: CubeProjection> Patches<P> {
         }
     }
 
-    /// How far the series of any tile of a level on the ellipsoid is from the ground, in metres, rounding aside; infinite where a tile has none. A level above 30 is taken for 30.
+    /// How far the series of any tile of a level on the ellipsoid is from the ground, in metres, rounding
+    /// aside; infinite where a tile has none. A level above 30 is taken for 30.
     ///
     /// What is left out is of the third order: it falls by eight from level to level, until rounding (4 ulps of the planet's radius, which are added) is more; across a
     /// crease, and in the conformal cube's corners, as [`flatness`](Self::flatness) does. As there, it is the largest in the same tiles, in 16 places along their edges, and a quarter more. It takes a few

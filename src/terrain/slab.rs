@@ -5,8 +5,9 @@ use crate::{Ecef, Real};
 
 /// Where a tile's ground is taken to be when its box is higher than it is wide.
 ///
-/// Ground in a box that is 10 m wide and 10 km high is somewhere in it, and not everywhere: it is taken to be no steeper than 45°, so that there is a box as high as wide
-/// around it. Of all such, the one that is nearest to the eye among those that may be in the picture.
+/// Ground in a box that is 10 m wide and 10 km high is somewhere in it, and not everywhere: it is taken to be
+/// no steeper than 45°, so that there is a box as high as wide around it. Of all such, the one that is
+/// nearest to the eye among those that may be in the picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slab<T> {
     pub(super) bounds: OrientedBox<T>,

@@ -6,9 +6,11 @@ use crate::math::min;
 
 /// The corners of a [`Patch`](super::Patch) from a camera, in metres in Earth axes: what single precision needs of a tile for a frame.
 ///
-/// A vertex is P′ + o + h·n, where P′ is interpolated between the corners and h is the height above the patch's [`Base`](super::Base), to be subtracted in double precision. Rounding is at most 4·10⁻⁷ of the farthest
-/// corner's distance and h, which is below 10⁻⁶ of the vertex's own distance where the tile's diagonal is at most as long as that. Tiles that share an edge, a level and the heights of the base in the edge's
-/// ends have the same bits along it, on whichever faces they are.
+/// A vertex is P′ + o + h·n, where P′ is interpolated between the corners and h is the height above the
+/// patch's [`Base`](super::Base), to be subtracted in double precision. Rounding is at most 4·10⁻⁷ of the
+/// farthest corner's distance and h, which is below 10⁻⁶ of the vertex's own distance where the tile's
+/// diagonal is at most as long as that. Tiles that share an edge, a level and the heights of the base in the
+/// edge's ends have the same bits along it, on whichever faces they are.
 ///
 /// For a shader: weights are products of m/c and (c − m)/c, n/c and (c − n)/c with c = `samples` − 1; P′ is the sum of two sums, each of two
 /// opposite corners, and o and h·n are added to it in this order. Where a compiler contracts products and sums, edges agree to their rounding only.
@@ -27,8 +29,8 @@ impl Vertices {
         self.corners
     }
 
-    /// The vertex in column m and row n of a grid of `samples` × `samples`, from the camera in metres, for its displacement in metres, its normal
-    /// and its height above the base in metres.
+    /// The vertex in column m and row n of a grid of `samples` × `samples`, from the camera in metres, for
+    /// its displacement in metres, its normal and its height above the base in metres.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -59,7 +61,8 @@ impl Vertices {
 
     /// All vertices of a patch, from the camera in metres: what [`at`](Self::at) says, in rows from below, into three slices for x, y and z.
     ///
-    /// Displacements and normals are those of [`Patches::fill`](super::Patches::fill); heights are above the base in metres, in the same order.
+    /// Displacements and normals are those of [`Patches::fill`](super::Patches::fill); heights are above the
+    /// base in metres, in the same order.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -115,10 +118,12 @@ impl Vertices {
         Ok(())
     }
 
-    /// The vertex at (s, t) in [0, 1]² without displacement, its normal interpolated between those of the corners
-    /// ([`Patch::normals`](super::Patch::normals)), at a height above the base in metres: for tiles from the level that [`Patches::plain_level`](super::Patches::plain_level) says.
+    /// The vertex at (s, t) in [0, 1]² without displacement, its normal interpolated between those of the
+    /// corners ([`Patch::normals`](super::Patch::normals)), at a height above the base in metres: for tiles
+    /// from the level that [`Patches::plain_level`](super::Patches::plain_level) says.
     ///
-    /// A base that is not level adds a third of the largest difference of its heights times that of its normals.
+    /// A base that is not level adds a third of the largest difference of its heights times that of its
+    /// normals.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Balanced};

@@ -67,7 +67,8 @@ fn truth(patches: &Patches<Projection>, tile: Tile, node: [u32; 2], count: u32, 
 /// From the deepest sea, and farther down than the floor of Hellas, to above Olympus.
 const HEIGHTS: [f64; 2] = [-11_000.0, 30_000.0];
 
-/// A camera anywhere: evenly over latitudes and longitudes, poles included, evenly in the logarithm of the height above the ground from 1 m to 10 000 km.
+/// A camera anywhere: evenly over latitudes and longitudes, poles included, evenly in the logarithm of the
+/// height above the ground from 1 m to 10 000 km.
 fn camera(rng: &mut Rng, ellipsoid: Ellipsoid<f64>, ground: f64) -> (LatLon<f64>, f64, Ecef<f64>) {
     let place = LatLon::new(180.0 * rng.f64() - 90.0, 360.0 * rng.f64()).unwrap();
     let height = 10_f64.powf(7.0 * rng.f64());
@@ -104,7 +105,8 @@ impl Worst {
     }
 }
 
-/// A random camera and vertex on ground of any height and any slope up to 45°, the vertex in a tile as a renderer would have it: its longest side no longer than the distance to it or 1 km.
+/// A random camera and vertex on ground of any height and any slope up to 45°, the vertex in a tile as a
+/// renderer would have it: its longest side no longer than the distance to it or 1 km.
 fn one(rng: &mut Rng) -> Worst {
     let ellipsoid = Ellipsoid::named(NAMED[rng.usize(0..NAMED.len())]).unwrap();
     let projection = Projection::ALL[rng.usize(0..Projection::ALL.len())];

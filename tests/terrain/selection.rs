@@ -123,8 +123,7 @@ fn first_hit(ellipsoid: Ellipsoid<f64>, eye: Vector, ray: Vector, height: f64) -
     None // grazing
 }
 
-/// The lowest and the highest terrain of a view: with tiles much smaller than what is known of their heights, a selection from among the
-/// mountains has no end.
+/// The lowest and the highest terrain of a view.
 fn range(view: &View, ellipsoid: Ellipsoid<f64>) -> [f64; 2] {
     let height = ellipsoid.to_geodetic(ecef(view.eye)).height().abs();
     [-minimum(500.0, 0.1 * height), minimum(9_000.0, 0.5 * height)].map(f64::round)
