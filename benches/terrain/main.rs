@@ -12,7 +12,7 @@ use std::hint::black_box;
 use fastrand::Rng;
 use s2::cellid::CellID;
 use terrella::cube::{CubeMap, Edge, Face, Quadrilateralized};
-use terrella::terrain::{Hilbert, Key, Morton, Patches, Tile};
+use terrella::terrain::{Base, Hilbert, Key, Morton, Patches, Tile};
 use terrella::{Ecef, Ellipsoid, Geodetic, Shift};
 use timing::{REPETITIONS, Timing, time};
 
@@ -44,7 +44,11 @@ fn patches(map: &CubeMap<f64, Quadrilateralized>, tiles: &[Tile]) {
     };
     let ours = one_at_a_time(tiles, |tile| {
         let [ox, oy, oz, nx, ny, nz] = columns.each_mut().map(Vec::as_mut_slice);
-        black_box(patches.fill(tile, SAMPLES, [ox, oy, oz], [nx, ny, nz]).unwrap());
+        black_box(
+            patches
+                .fill(tile, Base::default(), SAMPLES, [ox, oy, oz], [nx, ny, nz])
+                .unwrap(),
+        );
     });
     report("Patches::fill", ours);
     let scalar = one_at_a_time(tiles, |tile| {
@@ -52,7 +56,7 @@ fn patches(map: &CubeMap<f64, Quadrilateralized>, tiles: &[Tile]) {
         black_box(&columns);
     });
     report("a loop in f64 over unproject and to_ecef", scalar);
-    let patch = patches.of(tiles[0]);
+    let patch = patches.of(tiles[0], Base::default());
     let eye = Ecef::new(6_378_500.0, 3_000.0, 20_000.0).unwrap();
     let heights = vec![100.0_f32; PLACES];
     let mut vertices = [0; 3].map(|_| vec![0.0_f32; PLACES]);

@@ -4,7 +4,7 @@
 //! A mesh is the tile's samples and a rim around them: the edge again, lowered by a skirt that hides the gaps to coarser neighbours.
 
 use terrella::cube::{CubeMap, Projection};
-use terrella::terrain::{Patches, Tile};
+use terrella::terrain::{Base, Patches, Tile};
 use terrella::{Ecef, Geodetic};
 
 use crate::ground::{Ground, SAMPLES};
@@ -61,15 +61,25 @@ pub fn single(
     let count = ground.heights.len();
     let [mut ox, mut oy, mut oz] = [0; 3].map(|_| vec![0.0_f32; count]);
     let [mut nx, mut ny, mut nz] = [0; 3].map(|_| vec![0.0_f32; count]);
+    // The ground in the corners: neighbours have the same.
+    let last = SAMPLES - 1;
+    let corners = [[last, last], [0, last], [0, 0], [last, 0]];
+    let base = Base::new(corners.map(|[m, n]| ground.heights[(n * SAMPLES + m) as usize]));
+    let base = base.map_err(|error| error.to_string())?;
     let patch = patches
-        .fill(tile, SAMPLES, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])
+        .fill(
+            tile,
+            base,
+            SAMPLES,
+            [&mut ox, &mut oy, &mut oz],
+            [&mut nx, &mut ny, &mut nz],
+        )
         .map_err(|error| error.to_string())?;
     let seen = patch.seen_from(eye);
-    let skirt = skirt as f32;
     Ok(Mesh::new(ground, |i, place, is_rim| {
         let (displacement, normal) = ([ox[i], oy[i], oz[i]], [nx[i], ny[i], nz[i]]);
-        let height = ground.heights[i] as f32 - if is_rim { skirt } else { 0.0 };
-        (seen.at(place, SAMPLES, displacement, normal, height), normal)
+        let height = ground.heights[i] - base.at(place, SAMPLES) - if is_rim { skirt } else { 0.0 };
+        (seen.at(place, SAMPLES, displacement, normal, height as f32), normal)
     }))
 }
 

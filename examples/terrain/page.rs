@@ -59,9 +59,9 @@ pub fn html(options: &Options, map: &CubeMap<f64, Projection>, frames: &[Frame])
 <h1>An approach in single precision</h1>
 <p class="lead">A graphics card computes in <code>f32</code>, whose numbers are half a metre apart at the Earth’s radius. Terrain is drawn with it to
 the millimetre all the same, if only what is small is left to it.</p>
-<p>From 10&nbsp;000&nbsp;km down to 200&nbsp;m above the Cumberland Mountains near Jacksboro, Tennessee. Of every tile four corners are kept in
-<code>f64</code>; the eye is subtracted from them, and all the rest is <code>f32</code>: the bilinear patch between the corners, the displacement to
-the ellipsoid, the height along its normal, the matrix, the light. Beside it the same frame in <code>f64</code> throughout, straight from latitude, longitude
+<p>From 10&nbsp;000&nbsp;km down to 200&nbsp;m above the Cumberland Mountains near Jacksboro, Tennessee. Of every tile four corners on the ground are kept in
+<code>f64</code>; the eye is subtracted from them, and all the rest is <code>f32</code>: the bilinear patch between the corners, the displacement by
+which the ellipsoid bulges from it, the height above that along the normal, the matrix, the light. Beside it the same frame in <code>f64</code> throughout, straight from latitude, longitude
 and height.</p>
 </header>
 <main>

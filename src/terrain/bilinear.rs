@@ -9,11 +9,20 @@ pub(super) fn weights<T: Real>([m, n]: [T; 2], count: T) -> [T; 4] {
     [right * up, left * up, left * down, right * down]
 }
 
-/// The weighted mean of four vectors: opposite corners first, so that a mirrored or a transposed square has the same sums, and on an edge
-/// the order of its ends does not count.
+/// The weighted mean of four numbers: opposite corners first, so that a mirrored or a transposed square has
+/// the same sums, and on an edge the order of its ends does not count.
 #[inline(always)]
-pub(super) fn blend<T: Real>([a, b, c, d]: [[T; 3]; 4], [wa, wb, wc, wd]: [T; 4]) -> [T; 3] {
+pub(super) fn mean<T: Real>([a, b, c, d]: [T; 4], [wa, wb, wc, wd]: [T; 4]) -> T {
+    (a * wa + c * wc) + (b * wb + d * wd)
+}
+
+/// The same of four vectors.
+#[inline(always)]
+pub(super) fn blend<T: Real>([a, b, c, d]: [[T; 3]; 4], weights: [T; 4]) -> [T; 3] {
     let ([ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]) = (a, b, c, d);
-    let mean = |a: T, b: T, c: T, d: T| (a * wa + c * wc) + (b * wb + d * wd);
-    [mean(ax, bx, cx, dx), mean(ay, by, cy, dy), mean(az, bz, cz, dz)]
+    [
+        mean([ax, bx, cx, dx], weights),
+        mean([ay, by, cy, dy], weights),
+        mean([az, bz, cz, dz], weights),
+    ]
 }

@@ -1,3 +1,4 @@
+use super::coverage::BOUNDARY;
 use super::vector::{along, cross, difference, dot, normalised};
 use super::{Heights, OrientedBox, Tile};
 use crate::Real;
@@ -152,8 +153,6 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
     /// Vectors toward the corners of Q (steps 1 and 2), and the direction of x, in the frame of the face.
     #[inline(always)]
     fn corners(&self, tile: Tile, middle: [T; 3]) -> ([[T; 3]; 4], [T; 3]) {
-        /// Counter-clockwise, each corner followed by the middle of an edge.
-        const BOUNDARY: [[u32; 2]; 8] = [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2], [0, 1]];
         let half = T::of(0.5);
         let [right, up, _] = frame([T::ONE, T::ZERO, T::ZERO], middle);
         let nodes = BOUNDARY.map(|node| {

@@ -1,14 +1,21 @@
 use core::fmt;
 
 use super::OrientedBox;
-use super::vector::{difference, dot};
-use crate::math::select;
+use super::vector::{along, cross, difference, dot};
+use crate::math::{max, min, select};
 use crate::{Ecef, Real};
 
 /// A view of the planet: where the eye is, the renderer's matrix, and the pixels of the picture.
 ///
-/// The matrix takes a point in metres, relative to the eye and along Earth axes, to clip coordinates: a column vector (X, Y, Z, 1) to (x, y, z, w), with
-/// what is seen at −w ≤ x ≤ w and −w ≤ y ≤ w. z is not looked at, so that any convention of depth will do.
+/// The matrix takes a point in metres, relative to the eye and along Earth axes, to clip coordinates: a
+/// column vector (X, Y, Z, 1) to (x, y, z, w), with what is seen at −w ≤ x ≤ w and −w ≤ y ≤ w, where w > 0. z
+/// is not looked at, so that any convention of depth will do. y may be up or down, and the picture mirrored.
+///
+/// Lines of sight meet in the centre of projection, where x = y = w = 0: at the eye if the matrix has zeros
+/// in its last column, elsewhere if not, and for a parallel projection, whose last row is 0, 0, 0, 1,
+/// infinitely far away. Parallel lines of sight come to the planet from the side on which the eye is: of the
+/// two directions, which the matrix does not tell apart, the one that leads down to the planet at the eye.
+/// Nothing is behind a parallel projection's eye: of all places on a line of sight the first is seen.
 ///
 /// ```
 /// use terrella::Ecef;
@@ -58,7 +65,8 @@ impl<T: Real> Camera<T> {
         Ecef::within(x, y, z)
     }
 
-    /// Where a point is in the picture, in pixels from its middle, to the right and up; none for a point that is not before the eye.
+    /// Where a point is in the picture, in pixels from its middle, to the right and up; none for a point that
+    /// is not before the eye, where w ≤ 0.
     #[must_use]
     #[inline]
     pub fn pixel(&self, point: Ecef<T>) -> Option<[T; 2]> {
@@ -66,55 +74,50 @@ impl<T: Real> Camera<T> {
         (w > T::ZERO).then(|| self.on_picture([x, y, w]))
     }
 
-    /// Whether any of a box may be in the picture: it is not all beyond one side of the view, for boxes that are far from it a safe guess.
+    /// Whether any of a box may be in the picture: of its slices along the third axis one that is not all
+    /// behind the eye or beyond one side of the view, for boxes that are far from it a safe guess.
     #[must_use]
     #[inline]
     pub fn sees(&self, bounds: &OrientedBox<T>) -> bool {
-        let [centre, axes @ ..] = self.clip_box(bounds);
-        // How far inside each side is the corner that is farthest inside.
-        let side = |sign: T, k: usize| {
-            let inside = |[x, y, w]: [T; 3]| w + sign * select(k == 0, x, y);
-            axes.iter().fold(inside(centre), |sum, &axis| sum + inside(axis).abs())
-        };
-        let sides = [side(T::ONE, 0), side(-T::ONE, 0), side(T::ONE, 1), side(-T::ONE, 1)];
-        sides.into_iter().all(|inside| inside >= T::ZERO)
+        self.slices(bounds, T::ONE).is_some()
     }
 
-    /// How many pixels a box covers, whether they are in the picture or beyond its sides; infinitely many if it is not all before the eye.
-    ///
-    /// The area of the convex hull of its eight corners. Every line of sight to the box meets two of its faces: the hull is half the
-    /// sum of their six pictures.
-    #[must_use]
-    pub fn coverage(&self, bounds: &OrientedBox<T>) -> T {
-        let [centre, axes @ ..] = self.clip_box(bounds);
-        let [_, _, nearest] = centre;
-        let nearest = axes.iter().fold(nearest, |sum, &[_, _, w]| sum - w.abs());
-        let mut corner = 0;
-        let [a, b, c, d, e, f, g, h] = [centre; 8].map(|mut point| {
-            for (bit, axis) in axes.into_iter().enumerate() {
-                let sign = select(corner >> bit & 1 == 0, -T::ONE, T::ONE);
-                for (sum, part) in point.iter_mut().zip(axis) {
-                    *sum += sign * part;
-                }
+    /// From which slice of a box to which, from −1 to 1 along its third axis, slices of so many times its
+    /// width and height are not all beyond one side of the view.
+    #[inline]
+    pub(super) fn slices(&self, bounds: &OrientedBox<T>, size: T) -> Option<[T; 2]> {
+        let [first, second, upward] = bounds.axes;
+        let [width, height, depth] = bounds.half;
+        let half = |axis: [T; 3], length: T| insides(self.clip(axis.map(|v| v * length), T::ZERO));
+        let (across, along, rise) = (
+            half(first, size * width),
+            half(second, size * height),
+            half(upward, depth),
+        );
+        let way = difference(bounds.centre, self.eye);
+        let inside = insides(self.clip(way, T::ONE));
+        // What rounding may have done to that.
+        let [x, y, w] = self.rows.map(|[a, b, c, d]| {
+            let [x, y, z] = way.map(T::abs);
+            dot([a.abs(), b.abs(), c.abs()], [x, y, z]) + d.abs()
+        });
+        let rest = [w, w + x, w + x, w + y, w + y];
+        let few = T::of(8.0) * T::EPSILON;
+        let (mut low, mut high) = (-T::ONE - few, T::ONE + few);
+        for ((((inside, rest), across), along), rise) in inside.into_iter().zip(rest).zip(across).zip(along).zip(rise) {
+            // How far inside this side of the view the middle slice is with the corner that is farthest
+            // inside.
+            let reach = inside + across.abs() + along.abs() + few * rest;
+            let bound = -(reach / rise);
+            if rise > T::ZERO {
+                low = max(low, bound);
+            } else if rise < T::ZERO {
+                high = min(high, bound);
+            } else if reach < T::ZERO {
+                return None;
             }
-            corner += 1;
-            self.on_picture(point)
-        });
-        // Corners by their bits: a face has those of one bit, and their diagonals.
-        let faces = [
-            [a, g, c, e],
-            [b, h, d, f],
-            [a, f, b, e],
-            [c, h, d, g],
-            [a, d, b, c],
-            [e, h, f, g],
-        ];
-        let twice = faces.into_iter().fold(T::ZERO, |sum, [from, to, left, right]| {
-            let (x, y) = (to[0] - from[0], to[1] - from[1]);
-            let (u, v) = (right[0] - left[0], right[1] - left[1]);
-            sum + (x * v - y * u).abs()
-        });
-        select(nearest > T::ZERO, T::of(0.25) * twice, T::of(f64::INFINITY))
+        }
+        (low <= high).then_some([low, high])
     }
 
     /// x, y and w of a point relative to the eye, or of a vector, for which `one` is 0.
@@ -123,32 +126,55 @@ impl<T: Real> Camera<T> {
         self.rows.map(|[a, b, c, d]| dot([a, b, c], [x, y, z]) + d * one)
     }
 
+    /// The centre of projection from the eye, times its weight, and the weight: 0 for one that is infinitely
+    /// far away; all 0 where there is none.
+    ///
+    /// Where three rows are 0: the determinants of their columns but one.
+    #[inline]
+    pub(super) fn centre(&self) -> ([T; 3], T) {
+        // The scale of a row does not count, and products of small numbers could be nothing.
+        let rows = self.rows.map(|row| {
+            let largest = row.iter().fold(T::ZERO, |most, entry| max(most, entry.abs()));
+            let scale = select(largest > T::ZERO, largest, T::ONE);
+            row.map(|entry| entry / scale)
+        });
+        let [[ax, ay, az, a], [bx, by, bz, b], [cx, cy, cz, c]] = rows;
+        let [ab, bc, ca] = [
+            cross([ax, ay, az], [bx, by, bz]),
+            cross([bx, by, bz], [cx, cy, cz]),
+            cross([cx, cy, cz], [ax, ay, az]),
+        ];
+        let way = along(along(bc.map(|v| -(a * v)), -b, ca), -c, ab);
+        (way, dot([ax, ay, az], bc))
+    }
+
+    /// The centre of projection, in metres; none for parallel lines of sight.
+    #[inline]
+    pub(super) fn point(&self) -> Option<Ecef<T>> {
+        let (way, weight) = self.centre();
+        let [x, y, z] = along(self.eye, T::ONE, way.map(|v| v / weight));
+        let point = Ecef::within(x, y, z);
+        (x.is_finite() & y.is_finite() & z.is_finite()).then_some(point)
+    }
+
     /// The rows for x, y and w, and half of the picture's size.
     #[inline(always)]
     pub(super) fn rows(&self) -> ([[T; 4]; 3], [T; 2]) {
         (self.rows, self.pixels.map(|count| T::of(0.5) * count))
     }
 
-    /// x, y and w of a box's centre and of its half axes.
     #[inline(always)]
-    fn clip_box(&self, bounds: &OrientedBox<T>) -> [[T; 3]; 4] {
-        let [right, up, out] = bounds.axes;
-        let [width, height, depth] = bounds.half;
-        let half = |axis: [T; 3], length: T| self.clip(axis.map(|v| v * length), T::ZERO);
-        [
-            self.clip(difference(bounds.centre, self.eye), T::ONE),
-            half(right, width),
-            half(up, height),
-            half(out, depth),
-        ]
-    }
-
-    #[inline(always)]
-    fn on_picture(&self, [x, y, w]: [T; 3]) -> [T; 2] {
+    pub(super) fn on_picture(&self, [x, y, w]: [T; 3]) -> [T; 2] {
         let [width, height] = self.pixels;
         let half = T::of(0.5);
         [x / w * (half * width), y / w * (half * height)]
     }
+}
+
+/// How far x, y and w are inside: before the eye, and of each side of the view.
+#[inline(always)]
+fn insides<T: Real>([x, y, w]: [T; 3]) -> [T; 5] {
+    [w, w + x, w - x, w + y, w - y]
 }
 
 /// Why [`Camera::new`] refused.

@@ -9,7 +9,8 @@ use crate::math::max;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flatness {
-    /// No displacement from the bilinear patch between the corners is longer: metres.
+    /// No displacement from the bilinear patch between the corners is longer, on the ellipsoid; on a level
+    /// base at height b none is longer than this and |b| times `turning`: metres.
     pub displacement: f64,
     /// No normal is farther from the one interpolated between those of the corners: the length of the difference.
     pub turning: f64,
@@ -76,8 +77,10 @@ impl<P: CubeProjection> Patches<P> {
         most
     }
 
-    /// The coarsest level whose tiles need neither displacements nor normals of their own: corners, their normals and heights in this range are enough
-    /// ([`Vertices::plain`](super::Vertices::plain)) to be within a tolerance in metres; none if not even level 30 is.
+    /// The coarsest level whose tiles need neither displacements nor normals of their own: corners, on
+    /// whatever level base in this range, their normals and heights in this range are enough
+    /// ([`Vertices::plain`](super::Vertices::plain)) to be within a tolerance in metres; none if not even
+    /// level 30 is.
     ///
     /// On the Earth (WGS 84, authalic latitude), at heights from −11 to 9 km or none at all:
     ///

@@ -1,7 +1,7 @@
-use super::Camera;
 use super::vector::{along, difference};
+use super::{Camera, Horizon};
 use crate::cube::{CubeMap, CubeProjection, FacePoint};
-use crate::{Direction, Dual, Real, Shifted};
+use crate::{Direction, Dual, Ecef, Real, Shifted};
 
 /// Pixels as places of a cube map: the derivative of the way from the face to the picture, inverted.
 pub(super) struct Footprint<T, P> {
@@ -27,14 +27,21 @@ impl<T: Real, P: CubeProjection> Footprint<T, P> {
         }
     }
 
-    /// What a pixel to the right and a pixel up change x and y by; none where the ground is behind the eye, seen from below, or the map has no
-    /// derivative.
-    pub(super) fn at(&self, point: FacePoint<T>) -> Option<[[T; 2]; 2]> {
+    /// What a pixel to the right and a pixel up change x and y by; none where the ground is behind the eye,
+    /// the planet itself hides it, or the map has no derivative.
+    ///
+    /// Ground above the eye is as if seen from below, and its area negative, as it is of all ground in a
+    /// mirrored picture.
+    pub(super) fn at(&self, point: FacePoint<T>, horizon: &Horizon<T>) -> Option<[[T; 2]; 2]> {
         let face = point.face();
         let variables = Dual::variables([point.x(), point.y()]);
         let [x, y, z] = face.to_earth(self.projection.inverse(face, variables));
         let normal = self.lifted.normal(Direction::within(x, y, z));
         let ground = along(self.lifted.ellipsoid().foot(normal), self.height, normal.to_array());
+        let [x, y, z] = ground.map(Dual::value);
+        if horizon.hides(Ecef::within(x, y, z)) {
+            return None;
+        }
         let [x, y, z] = difference(ground, self.eye);
         let [right, up, w] = self.rows.map(|row| {
             let [a, b, c, d] = row.map(Dual::constant);
@@ -46,8 +53,9 @@ impl<T: Real, P: CubeProjection> Footprint<T, P> {
         let [width, height] = self.half;
         let [a, b] = (right / w).slopes().map(|slope| slope * width);
         let [c, d] = (up / w).slopes().map(|slope| slope * height);
-        let area = a * d - b * c;
-        let inverse = T::ONE / area;
-        (area > T::ZERO && inverse.is_finite()).then(|| [[d * inverse, -c * inverse], [-b * inverse, a * inverse]])
+        let inverse = T::ONE / (a * d - b * c);
+        inverse
+            .is_finite()
+            .then(|| [[d * inverse, -c * inverse], [-b * inverse, a * inverse]])
     }
 }

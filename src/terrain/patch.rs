@@ -1,8 +1,8 @@
 use core::fmt;
 
-use super::bilinear::{blend, weights};
-use super::vector::difference;
-use super::{Tile, Vertices};
+use super::bilinear::{blend, mean, weights};
+use super::vector::{along, difference};
+use super::{Base, Tile, Vertices};
 use crate::batch::{CHUNK, Kernel, Sink, front, store, sweep};
 use crate::cube::{Corner, CubeMap, CubeProjection, Edge, FacePoint, ProjectionTask};
 use crate::latitude::{Turn, normal, with_correction};
@@ -13,21 +13,26 @@ const MOST: u32 = 4097;
 
 /// Tiles as patches of an ellipsoid, for a renderer that works in single precision (Lambers & Kolb 2012, section 4).
 ///
-/// Once per tile: its corners in double precision, and for each sample of a grid the displacement of the ground from the bilinear
-/// patch between the corners, and the ellipsoid's normal, in single precision ([`fill`](Self::fill)). Once per frame: the
-/// corners less the camera, subtracted in double and rounded to single precision ([`Patch::seen_from`]); each vertex is then
-/// P′ + o + h·n in single precision ([`Vertices`]).
+/// Once per tile: its corners in double precision, lifted to a [`Base`] near the ground, and for each sample
+/// of a grid the displacement of the base from the bilinear patch between the corners, and the ellipsoid's
+/// normal, in single precision ([`fill`](Self::fill)). Once per frame: the corners less the camera,
+/// subtracted in double and rounded to single precision ([`Patch::seen_from`]); each vertex is then P′ + o +
+/// h·n in single precision, h being the height above the base ([`Vertices`]).
+///
+/// The paper has its corners on the ellipsoid, and h is then the height above that: on a mountain of 8 km
+/// single precision adds kilometres to kilometres, and is off by millimetres however near the eye is.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
-/// use terrella::terrain::{Patches, Tile};
+/// use terrella::terrain::{Base, Patches, Tile};
 /// use terrella::{Ellipsoid, Shift};
 ///
 /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
 /// let tile = Tile::new(Face::Front, 8, 130, 140)?;
+/// let sea = Base::default();
 /// let (mut ox, mut oy, mut oz) = ([0.0; 81], [0.0; 81], [0.0; 81]);
 /// let (mut nx, mut ny, mut nz) = ([0.0; 81], [0.0; 81], [0.0; 81]);
-/// patches.fill(tile, 9, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])?;
+/// patches.fill(tile, sea, 9, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])?;
 /// // In the middle of this tile of 36 km the ground bulges by 42 m, and by 128 m along itself: the grid's lines bend.
 /// assert!((ox[40] - 42.0).abs() < 1.0 && (nx[40] - 0.997).abs() < 0.002);
 /// assert!((oy[40].hypot(oz[40]) - 128.0).abs() < 2.0);
@@ -54,25 +59,30 @@ impl<P: CubeProjection> Patches<P> {
         self.map
     }
 
-    /// The corners of a tile: all that is needed of it from the level of [`plain_level`](Self::plain_level) on.
+    /// The corners of a tile, lifted to a base: all that is needed of it from the level of
+    /// [`plain_level`](Self::plain_level) on.
     #[must_use]
-    pub fn of(&self, tile: Tile) -> Patch {
+    pub fn of(&self, tile: Tile, base: Base) -> Patch {
+        let mut heights = base.corners().into_iter();
         let ends = Corner::ALL.map(|corner| {
             let right = matches!(corner, Corner::UpRight | Corner::DownRight);
             let up = matches!(corner, Corner::UpRight | Corner::UpLeft);
-            self.ground(shared(tile, [right.into(), up.into()], 1))
+            let [foot, normal] = self.ground(shared(tile, [right.into(), up.into()], 1));
+            [along(foot, heights.next().unwrap_or_default(), normal), normal]
         });
         Patch {
-            corners: ends.map(|[foot, _]| foot),
+            corners: ends.map(|[corner, _]| corner),
             normals: ends.map(|[_, normal]| normal.map(narrow)),
         }
     }
 
-    /// The corners of a tile, and for each of `samples` × `samples` places, in rows from below, edges included: the displacement from the bilinear
-    /// patch between the corners in metres and the ellipsoid's outward normal, both in Earth axes, each into three slices for x, y and z.
+    /// The corners of a tile, lifted to a base, and for each of `samples` × `samples` places, in rows from
+    /// below, edges included: the displacement of the base from the bilinear patch between the corners in
+    /// metres and the ellipsoid's outward normal, both in Earth axes, each into three slices for x, y and z.
     ///
-    /// Displacements are rounded from values within 4 nm (on the Earth), normals from values within 4·10⁻¹⁶. Along an edge that two tiles of a
-    /// level share, both have the same bits, on whichever faces they are: what lies on the edge of a face is computed on
+    /// Displacements are rounded from values within 4 nm (on the Earth), normals from values within 4·10⁻¹⁶.
+    /// Along an edge that two tiles of a level share, both have the same bits, on whichever faces they are,
+    /// if their bases have the same heights in its two ends: what lies on the edge of a face is computed on
     /// the face of the smallest number.
     ///
     /// # Errors
@@ -80,6 +90,7 @@ impl<P: CubeProjection> Patches<P> {
     pub fn fill(
         &self,
         tile: Tile,
+        base: Base,
         samples: u32,
         displacements: [&mut [f32]; 3],
         normals: [&mut [f32]; 3],
@@ -88,20 +99,25 @@ impl<P: CubeProjection> Patches<P> {
         let [nx, ny, nz] = normals;
         let mut columns = [ox, oy, oz, nx, ny, nz];
         samples_and_length(samples, &columns.each_ref().map(|column| column.len()))?;
-        let patch = self.of(tile);
+        let patch = self.of(tile, base);
+        let lifted = Lifted {
+            corners: patch.corners,
+            base,
+            last: f64::from(samples - 1),
+        };
         self.map.projection().with(Fill {
             shifted: self.map.shifted(),
             tile,
-            corners: patch.corners,
+            lifted,
             samples,
             columns: columns.each_mut().map(|column| &mut **column),
         });
-        self.mend(tile, samples, patch.corners, &mut columns);
+        self.mend(tile, samples, lifted, &mut columns);
         Ok(patch)
     }
 
     /// Samples on the edges of a face, from the face that has them.
-    fn mend(&self, tile: Tile, samples: u32, corners: [[f64; 3]; 4], columns: &mut [&mut [f32]; 6]) {
+    fn mend(&self, tile: Tile, samples: u32, lifted: Lifted, columns: &mut [&mut [f32]; 6]) {
         let last = samples - 1;
         for edge in Edge::ALL {
             if tile.neighbour(edge).tile.face() >= tile.face() {
@@ -115,7 +131,7 @@ impl<P: CubeProjection> Patches<P> {
                     Edge::Down => [along, 0],
                 };
                 let ground = self.ground(shared(tile, [m, n], last));
-                let sample = sample(ground, corners, [m.into(), n.into()], last.into());
+                let sample = lifted.sample(ground, [m.into(), n.into()]);
                 let index = n as usize * samples as usize + m as usize;
                 for (column, value) in columns.iter_mut().zip(sample) {
                     if let Some(slot) = column.get_mut(index) {
@@ -144,7 +160,8 @@ pub struct Patch {
 }
 
 impl Patch {
-    /// The corners in metres in Earth axes, counter-clockwise from the one of largest x and y, as [`Corner::ALL`].
+    /// The corners at their heights in metres in Earth axes, counter-clockwise from the one of largest x and
+    /// y, as [`Corner::ALL`].
     #[must_use]
     pub fn corners(&self) -> [Ecef<f64>; 4] {
         self.corners.map(|[x, y, z]| Ecef::within(x, y, z))
@@ -197,19 +214,31 @@ fn shared(tile: Tile, [m, n]: [u32; 2], count: u32) -> FacePoint<f64> {
     first.0.node(first.1, count)
 }
 
-/// Displacement and normal of a place.
-#[inline(always)]
-pub(super) fn sample([foot, normal]: [[f64; 3]; 2], corners: [[f64; 3]; 4], place: [f64; 2], last: f64) -> [f64; 6] {
-    let [x, y, z] = difference(foot, blend(corners, weights(place, last)));
-    let [nx, ny, nz] = normal;
-    [x, y, z, nx, ny, nz]
+/// The corners of a tile that were lifted to a base, and the last column of a grid.
+#[derive(Clone, Copy)]
+struct Lifted {
+    corners: [[f64; 3]; 4],
+    base: Base,
+    last: f64,
+}
+
+impl Lifted {
+    /// Displacement and normal of a place, from the ground there and its normal.
+    #[inline(always)]
+    fn sample(&self, [foot, normal]: [[f64; 3]; 2], place: [f64; 2]) -> [f64; 6] {
+        let weights = weights(place, self.last);
+        let base = along(foot, mean(self.base.corners(), weights), normal);
+        let [x, y, z] = difference(base, blend(self.corners, weights));
+        let [nx, ny, nz] = normal;
+        [x, y, z, nx, ny, nz]
+    }
 }
 
 /// The samples of a tile by a known projection, a part at a time.
 struct Fill<'a> {
     shifted: Shifted<f64>,
     tile: Tile,
-    corners: [[f64; 3]; 4],
+    lifted: Lifted,
     samples: u32,
     columns: [&'a mut [f32]; 6],
 }
@@ -236,8 +265,7 @@ impl ProjectionTask for Fill<'_> {
                 let kernel = ToSample {
                     ellipsoid: self.shifted.ellipsoid(),
                     turn: *turn,
-                    corners: self.corners,
-                    last: f64::from(self.samples - 1),
+                    lifted: self.lifted,
                 };
                 sweep(kernel, [m, n, x, y, z], sink);
             });
@@ -282,8 +310,7 @@ impl<P: CubeProjection> Kernel<f64, 2, 3> for ToDirection<P> {
 struct ToSample<C> {
     ellipsoid: Ellipsoid<f64>,
     turn: C,
-    corners: [[f64; 3]; 4],
-    last: f64,
+    lifted: Lifted,
 }
 
 impl<C: Turn<f64>> Kernel<f64, 5, 6> for ToSample<C> {
@@ -291,7 +318,7 @@ impl<C: Turn<f64>> Kernel<f64, 5, 6> for ToSample<C> {
     fn apply(&self, [m, n, x, y, z]: [f64; 5]) -> [f64; 6] {
         let normal = normal(&self.turn, Direction::within(x, y, z));
         let ground = [self.ellipsoid.foot(normal), normal.to_array()];
-        sample(ground, self.corners, [m, n], self.last)
+        self.lifted.sample(ground, [m, n])
     }
 }
 

@@ -1,7 +1,7 @@
 use super::flatness::witnesses;
 use super::patch::narrow;
 use super::vector::{along, difference, dot};
-use super::{Patches, Tile};
+use super::{Base, Patches, Tile};
 use crate::cube::CubeProjection;
 use crate::distortion::Singular;
 use crate::math::{max, select};
@@ -10,24 +10,26 @@ use crate::{Direction, Dual, Ecef, Real};
 /// First and second derivatives by two variables.
 type Second = Dual<Dual<f64, 2>, 2>;
 
-/// The ground of a tile as a Taylor series of the second order about its middle: another way to vertices in single precision, without a grid in memory.
+/// A tile, at the height that its base has in the middle, as a Taylor series of the second order about its
+/// middle: another way to vertices in single precision, without a grid in memory.
 ///
-/// From derivatives in double precision to coefficients in single precision. A vertex from the camera is [`origin`](Self::origin), once per
-/// frame, plus [`offset`](Self::offset) and, where there is terrain, h·n. It meets the next tile only as far as the series holds:
+/// From derivatives in double precision to coefficients in single precision. A vertex from the camera is
+/// [`origin`](Self::origin), once per frame, plus [`offset`](Self::offset) and, where there is terrain, h·n,
+/// with h the height above the base's middle. It meets the next tile only as far as the series holds:
 /// [`Patches::truncation`] bounds what it leaves out, and edges may part by twice that.
 ///
 /// ```
 /// use terrella::cube::{Balanced, CubeMap, Face};
-/// use terrella::terrain::{Patches, Tile};
+/// use terrella::terrain::{Base, Patches, Tile};
 /// use terrella::{Ecef, Ellipsoid, Shift};
 ///
 /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Balanced)?);
 /// let tile = Tile::new(Face::Front, 12, 2100, 2200)?;
 /// assert!(patches.truncation(12) < 1e-3);
-/// let series = patches.series(tile)?;
+/// let series = patches.series(tile, Base::default())?;
 /// let camera = Ecef::new(6_378_337.0, 0.0, 0.0)?;
 /// let (origin, offset) = (series.origin(camera), series.offset([1.0, 1.0]));
-/// let corner = patches.of(tile).seen_from(camera).corners()[0];
+/// let corner = patches.of(tile, Base::default()).seen_from(camera).corners()[0];
 /// for k in 0..3 {
 ///     assert!((origin[k] + offset[k] - corner[k]).abs() < 0.05);
 /// }
@@ -42,7 +44,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// The middle of the tile on the ellipsoid in metres, in Earth axes.
+    /// The middle of the tile at the base's height in metres, in Earth axes.
     #[must_use]
     pub fn anchor(&self) -> Ecef<f64> {
         let [x, y, z] = self.anchor;
@@ -62,9 +64,10 @@ impl Series {
         difference(self.anchor, camera.to_array()).map(narrow)
     }
 
-    /// The ground from the middle of the tile in metres, at (u, v) = (2s − 1, 2t − 1) in [−1, 1]².
+    /// The base from the middle of the tile in metres, at (u, v) = (2s − 1, 2t − 1) in [−1, 1]².
     ///
-    /// Within [`Patches::truncation`] and 3·10⁻⁷ of the way.
+    /// Within [`Patches::truncation`], in proportion to the radius of curvature and the base's height
+    /// together, and 3·10⁻⁷ of the way.
     #[must_use]
     #[inline(always)]
     pub fn offset(&self, place: [f32; 2]) -> [f32; 3] {
@@ -80,12 +83,12 @@ fn evaluate<T: Real>([a, b, aa, ab, bb]: [[T; 3]; 5], [u, v]: [T; 2]) -> [T; 3] 
 }
 
 impl<P: CubeProjection> Patches<P> {
-    /// The series of a tile.
+    /// The series of a tile, at the height that a base has in its middle all over the tile.
     ///
     /// # Errors
     /// [`Singular`] if the projection has no derivatives in the tile's middle: at level 0 those of the faces' centres that are the tip of a cone.
-    pub fn series(&self, tile: Tile) -> Result<Series, Singular<f64>> {
-        let (anchor, coefficients) = self.expansion(tile);
+    pub fn series(&self, tile: Tile, base: Base) -> Result<Series, Singular<f64>> {
+        let (anchor, coefficients) = self.expansion(tile, base.at([1, 1], 3));
         if coefficients.as_flattened().iter().all(|c| c.is_finite()) {
             Ok(Series {
                 anchor,
@@ -96,7 +99,8 @@ impl<P: CubeProjection> Patches<P> {
         }
     }
 
-    /// How far the series of any tile of a level is from the ground, in metres, rounding aside; infinite where a tile has none. A level above 30 is taken for 30.
+    /// How far the series of any tile of a level on the ellipsoid is from the ground, in metres, rounding
+    /// aside; infinite where a tile has none. A level above 30 is taken for 30.
     ///
     /// What is left out is of the third order: it falls by eight from level to level, until rounding (4 ulps of the planet's radius, which are added) is more; across a
     /// crease, and in the conformal cube's corners, as [`flatness`](Self::flatness) does. As there, it is the largest in the same tiles, in 16 places along their edges, and a quarter more. It takes a few
@@ -117,7 +121,7 @@ impl<P: CubeProjection> Patches<P> {
         const PARTS: u32 = 4;
         let mut most = 0.0;
         for tile in witnesses(level) {
-            let (anchor, coefficients) = self.expansion(tile);
+            let (anchor, coefficients) = self.expansion(tile, 0.0);
             for n in 0..=PARTS {
                 for m in 0..=PARTS {
                     if !(n.is_multiple_of(PARTS) || m.is_multiple_of(PARTS)) {
@@ -134,19 +138,20 @@ impl<P: CubeProjection> Patches<P> {
         1.25 * most.sqrt() + 4.0 * f64::EPSILON * self.map().shifted().ellipsoid().a()
     }
 
-    /// The middle of a tile, and the coefficients of its series.
-    fn expansion(&self, tile: Tile) -> ([f64; 3], [[f64; 3]; 5]) {
+    /// The middle of a tile at a height, and the coefficients of its series.
+    fn expansion(&self, tile: Tile, height: f64) -> ([f64; 3], [[f64; 3]; 5]) {
         let middle = tile.centre::<f64>();
         let shifted = self.map().shifted().lifted::<2>().lifted::<2>();
         let point: [Second; 2] = Dual::variables(Dual::variables([middle.x(), middle.y()]));
         let [x, y, z] = tile
             .face()
             .to_earth(self.map().projection().inverse(tile.face(), point));
-        let foot = shifted.ellipsoid().foot(shifted.normal(Direction::within(x, y, z)));
+        let normal = shifted.normal(Direction::within(x, y, z));
+        let lifted = along(shifted.ellipsoid().foot(normal), Second::of(height), normal.to_array());
 
         let half = 1.0 / f64::from(1_u32 << tile.level());
         let square = half * half;
-        let [x, y, z] = foot.map(|component| {
+        let [x, y, z] = lifted.map(|component| {
             let [by_x, by_y] = component.slopes();
             let ([xx, xy], [_, yy]) = (by_x.slopes(), by_y.slopes());
             [
@@ -161,6 +166,6 @@ impl<P: CubeProjection> Patches<P> {
         for (((vector, x), y), z) in coefficients.iter_mut().zip(x).zip(y).zip(z) {
             *vector = [x, y, z];
         }
-        (foot.map(Real::plain), coefficients)
+        (lifted.map(Real::plain), coefficients)
     }
 }

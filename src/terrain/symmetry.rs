@@ -5,10 +5,12 @@ use crate::math::select;
 
 /// How a tile's patch comes from that of another tile: from [`Tile::representative`].
 ///
-/// An ellipsoid of revolution on a cube about its axis keeps its shape under quarter turns about the axis and in the mirrors of the equator and of
-/// the meridians: 16 symmetries of tiles, of which eight leave a polar face where it is and four a side face. They exchange and negate components, so
-/// that displacements and normals come over without rounding: in every bit what [`Patches::fill`](super::Patches::fill) would say, but in
-/// the conformal cube, which is itself symmetrical only to 2 ulps and where displacements are within 6 nm and an ulp.
+/// An ellipsoid of revolution on a cube about its axis keeps its shape under quarter turns about the axis and
+/// in the mirrors of the equator and of the meridians, with a level [`Base`](super::Base) of the same height:
+/// 16 symmetries of tiles, of which eight leave a polar face where it is and four a side face. They exchange
+/// and negate components, so that displacements and normals come over without rounding: in every bit what
+/// [`Patches::fill`](super::Patches::fill) would say, but in the conformal cube, which is itself symmetrical
+/// only to 2 ulps and where displacements are within 6 nm and an ulp.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Symmetry {
@@ -109,7 +111,7 @@ impl Symmetry {
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
-    /// use terrella::terrain::{Patches, Tile};
+    /// use terrella::terrain::{Base, Patches, Tile};
     /// use terrella::{Ellipsoid, Shift};
     ///
     /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
@@ -117,7 +119,7 @@ impl Symmetry {
     /// let (representative, symmetry) = tile.representative();
     /// let fill = |tile| {
     ///     let (mut o, mut n) = ([[0.0; 16]; 3], [[0.0; 16]; 3]);
-    ///     patches.fill(tile, 4, o.each_mut().map(|o| &mut o[..]), n.each_mut().map(|n| &mut n[..])).map(|_| o)
+    ///     patches.fill(tile, Base::default(), 4, o.each_mut().map(|o| &mut o[..]), n.each_mut().map(|n| &mut n[..])).map(|_| o)
     /// };
     /// let mut carried = [[0.0; 16]; 3];
     /// let known = fill(representative)?;

@@ -6,9 +6,11 @@ use crate::math::min;
 
 /// The corners of a [`Patch`](super::Patch) from a camera, in metres in Earth axes: what single precision needs of a tile for a frame.
 ///
-/// A vertex is P′ + o + h·n, where P′ is interpolated between the corners. Rounding is at most 4·10⁻⁷ of the farthest
-/// corner's distance and the height, which is below 10⁻⁶ of the vertex's own where the tile's diagonal is at most as long as that. Tiles that share an edge and a level have the same bits along it, on
-/// whichever faces they are.
+/// A vertex is P′ + o + h·n, where P′ is interpolated between the corners and h is the height above the
+/// patch's [`Base`](super::Base), to be subtracted in double precision. Rounding is at most 4·10⁻⁷ of the
+/// farthest corner's distance and h, which is below 10⁻⁶ of the vertex's own distance where the tile's
+/// diagonal is at most as long as that. Tiles that share an edge, a level and the heights of the base in the
+/// edge's ends have the same bits along it, on whichever faces they are.
 ///
 /// For a shader: weights are products of m/c and (c − m)/c, n/c and (c − n)/c with c = `samples` − 1; P′ is the sum of two sums, each of two
 /// opposite corners, and o and h·n are added to it in this order. Where a compiler contracts products and sums, edges agree to their rounding only.
@@ -27,16 +29,16 @@ impl Vertices {
         self.corners
     }
 
-    /// The vertex in column m and row n of a grid of `samples` × `samples`, from the camera in metres, for its displacement in metres, its normal
-    /// and its height in metres.
+    /// The vertex in column m and row n of a grid of `samples` × `samples`, from the camera in metres, for
+    /// its displacement in metres, its normal and its height above the base in metres.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
-    /// use terrella::terrain::{Patches, Tile};
+    /// use terrella::terrain::{Base, Patches, Tile};
     /// use terrella::{Ecef, Ellipsoid, Shift};
     ///
     /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
-    /// let patch = patches.of(Tile::new(Face::Front, 12, 2050, 2060)?);
+    /// let patch = patches.of(Tile::new(Face::Front, 12, 2050, 2060)?, Base::default());
     /// let seen = patch.seen_from(Ecef::new(6_378_500.0, 3_000.0, 20_000.0)?);
     /// let corner = seen.at([0, 0], 65, [0.0; 3], patch.normals()[2], 0.0);
     /// assert_eq!(corner, seen.corners()[2]);
@@ -59,11 +61,12 @@ impl Vertices {
 
     /// All vertices of a patch, from the camera in metres: what [`at`](Self::at) says, in rows from below, into three slices for x, y and z.
     ///
-    /// Displacements and normals are those of [`Patches::fill`](super::Patches::fill); heights are in metres, in the same order.
+    /// Displacements and normals are those of [`Patches::fill`](super::Patches::fill); heights are above the
+    /// base in metres, in the same order.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
-    /// use terrella::terrain::{Patches, Tile};
+    /// use terrella::terrain::{Base, Patches, Tile};
     /// use terrella::{Ecef, Ellipsoid, Shift};
     ///
     /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
@@ -71,13 +74,14 @@ impl Vertices {
     /// let (mut ox, mut oy, mut oz) = ([0.0; 25], [0.0; 25], [0.0; 25]);
     /// let (mut nx, mut ny, mut nz) = ([0.0; 25], [0.0; 25], [0.0; 25]);
     /// let tile = Tile::new(Face::Front, 12, 2050, 2060)?;
-    /// let patch = patches.fill(tile, 5, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])?;
+    /// let base = Base::new([1_500.0, 1_400.0, 1_300.0, 1_600.0])?;
+    /// let patch = patches.fill(tile, base, 5, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])?;
+    /// let heights: [f32; 25] = std::array::from_fn(|k| (1_420.0 - base.at([k as u32 % 5, k as u32 / 5], 5)) as f32);
     /// // Once per frame:
-    /// let seen = patch.seen_from(Ecef::new(6_378_500.0, 3_000.0, 20_000.0)?);
-    /// let heights = [120.0; 25];
+    /// let seen = patch.seen_from(Ecef::new(6_380_000.0, 3_000.0, 20_000.0)?);
     /// let (mut x, mut y, mut z) = ([0.0; 25], [0.0; 25], [0.0; 25]);
     /// seen.fill(5, [&ox, &oy, &oz], [&nx, &ny, &nz], &heights, [&mut x, &mut y, &mut z])?;
-    /// assert_eq!([x[7], y[7], z[7]], seen.at([2, 1], 5, [ox[7], oy[7], oz[7]], [nx[7], ny[7], nz[7]], 120.0));
+    /// assert_eq!([x[7], y[7], z[7]], seen.at([2, 1], 5, [ox[7], oy[7], oz[7]], [nx[7], ny[7], nz[7]], heights[7]));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -114,18 +118,22 @@ impl Vertices {
         Ok(())
     }
 
-    /// The vertex at (s, t) in [0, 1]² without displacement, its normal interpolated between those of the corners
-    /// ([`Patch::normals`](super::Patch::normals)): for tiles from the level that [`Patches::plain_level`](super::Patches::plain_level) says.
+    /// The vertex at (s, t) in [0, 1]² without displacement, its normal interpolated between those of the
+    /// corners ([`Patch::normals`](super::Patch::normals)), at a height above the base in metres: for tiles
+    /// from the level that [`Patches::plain_level`](super::Patches::plain_level) says.
+    ///
+    /// A base that is not level adds a third of the largest difference of its heights times that of its
+    /// normals.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Balanced};
-    /// use terrella::terrain::{Heights, Patches, Tile};
+    /// use terrella::terrain::{Base, Heights, Patches, Tile};
     /// use terrella::{Ecef, Ellipsoid, Shift};
     ///
     /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Balanced)?);
     /// let level = patches.plain_level(0.01, Heights::new(-11_000.0, 9_000.0)?).ok_or("none")?;
     /// assert_eq!(level, 15);
-    /// let patch = patches.of(Tile::new(Face::Front, level, 9_000, 9_000)?);
+    /// let patch = patches.of(Tile::new(Face::Front, level, 9_000, 9_000)?, Base::default());
     /// let seen = patch.seen_from(patch.corners()[0]);
     /// assert_eq!(seen.plain([1.0, 1.0], patch.normals(), 0.0), [0.0; 3]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -3,11 +3,11 @@
 use fastrand::Rng;
 use rayon::prelude::*;
 use terrella::cube::{Corner, Edge, Face, Projection};
-use terrella::terrain::{Around, Heights, Patches, Tile};
+use terrella::terrain::{Around, Base, Heights, Patches, Tile};
 use terrella::{Ecef, Ellipsoid, Shift};
 use testkit::maximum;
 
-use crate::patch::{at, dot, fill, length, map, minus};
+use crate::patch::{at, dot, length, lifted, map, minus};
 
 /// The node of an edge, from low to high x or y.
 fn on(edge: Edge, along: u32, last: u32) -> [u32; 2] {
@@ -38,16 +38,23 @@ fn backward(edge: Edge, turns: u8) -> bool {
 
 /// A camera within some of a tile's sizes of it.
 fn camera(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile) -> Ecef<f64> {
-    let [a, _, c, _] = patches.of(tile).corners().map(Ecef::to_array);
+    let [a, _, c, _] = patches.of(tile, Base::default()).corners().map(Ecef::to_array);
     let size = length(minus(a, c));
     let [x, y, z] = a.map(|v| v + 4.0 * size * (rng.f64() - 0.5));
     Ecef::new(x, y, z).unwrap()
 }
 
+/// Heights of a corner by its place: the same from all tiles.
+fn base(patches: &Patches<Projection>, tile: Tile) -> Base {
+    let feet = patches.of(tile, Base::default()).corners().map(Ecef::to_array);
+    Base::new(feet.map(|[x, y, z]| 4e3 * (1e-3 * x).sin() + 2e3 * (1e-4 * y).cos() + 5e3 * (1e-6 * z).sin())).unwrap()
+}
+
 /// Displacement, normal and vertex of a node: of what edges have to agree.
 fn node(patches: &Patches<Projection>, tile: Tile, samples: u32, eye: Ecef<f64>) -> impl Fn([u32; 2]) -> [[u32; 3]; 3] {
-    let [o, n] = fill(patches, tile, samples);
-    let seen = patches.of(tile).seen_from(eye);
+    let base = base(patches, tile);
+    let [o, n] = lifted(patches, tile, base, samples);
+    let seen = patches.of(tile, base).seen_from(eye);
     move |[m, row]| {
         let index = (row * samples + m) as usize;
         let (o, n) = (at(&o, index), at(&n, index));

@@ -2,7 +2,7 @@
 
 use fastrand::Rng;
 use terrella::cube::{CubeMap, Projection};
-use terrella::terrain::{Enclosure, Heights, Horizon, Tile};
+use terrella::terrain::{Camera, Enclosure, Heights, Horizon, Tile};
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
 use testkit::{maximum, minimum};
 
@@ -77,6 +77,75 @@ fn hidden_is_what_the_ellipsoid_stands_before() {
         }
         assert!((20_000..80_000).contains(&hidden), "{hidden}");
         assert!(close < 10_000, "{close}");
+    }
+}
+
+/// Of parallel lines of sight, against the line itself: how deep it goes into the ellipsoid, scaled to a unit
+/// sphere, before it comes to the point.
+fn lowest_toward(ellipsoid: Ellipsoid<f64>, point: Point, toward: Point) -> f64 {
+    let scale = |[x, y, z]: Point| [x / ellipsoid.a(), y / ellipsoid.a(), z / ellipsoid.b()];
+    let (t, d) = (scale(point), scale(toward));
+    let dot = |a: Point, b: Point| (0..3).map(|k| a[k] * b[k]).sum::<f64>();
+    let nearest = maximum(-dot(t, d) / dot(d, d), 0.0);
+    let at: Point = std::array::from_fn(|k| t[k] + nearest * d[k]);
+    dot(at, at)
+}
+
+/// In both precisions, with rows of any length and sense; single precision may hide less.
+#[test]
+fn parallel_lines_of_sight_are_hidden_by_the_ellipsoid_before_them() {
+    let mut rng = Rng::with_seed(7);
+    for ellipsoid in shapes() {
+        let single = Ellipsoid::new(ellipsoid.a() as f32, ellipsoid.f() as f32).unwrap();
+        // Exactly the same shape in double precision.
+        let double = Ellipsoid::new(f64::from(single.a()), f64::from(single.f())).unwrap();
+        let (mut hidden, mut both) = (0, 0);
+        for _ in 0..20_000 {
+            let vector = |rng: &mut Rng| [0; 3].map(|_| (1e-5 * (rng.f64() - 0.5)) as f32);
+            let [right, up] = [vector(&mut rng), vector(&mut rng)];
+            let eye = at(double, direction(&mut rng), 10_f64.powf(8.0 * rng.f64())).to_array();
+            let eye = eye.map(|v| f64::from(v as f32));
+            let wide = |v: [f32; 3]| v.map(f64::from);
+            let across = {
+                let ([a, b, c], [d, e, f]) = (wide(right), wide(up));
+                [b * f - c * e, c * d - a * f, a * e - b * d]
+            };
+            // Rows as a camera has them: at an angle.
+            let square = |[x, y, z]: Point| x * x + y * y + z * z;
+            if square(across) < 0.3 * square(wide(right)) * square(wide(up)) {
+                continue;
+            }
+            let height: f64 = (0..3)
+                .map(|k| across[k] * eye[k] / [double.a(), double.a(), double.b()][k].powi(2))
+                .sum();
+            let toward = across.map(|v| v * height.signum());
+            // Somewhere, or not far from where the shadow begins.
+            let place = at(double, direction(&mut rng), 20_000.0 * rng.f64()).to_array();
+            let place = place.map(|v| f64::from(v as f32));
+            let camera = |scale: f64| {
+                let row = |v: [f32; 3]| [wide(v)[0], wide(v)[1], wide(v)[2], 0.25].map(|v| v * scale);
+                [row(right), row(up), [0.0; 4], [0.0, 0.0, 0.0, 2.0]]
+            };
+            let [x, y, z] = eye;
+            let view = Camera::new(Ecef::new(x, y, z).unwrap(), camera(3.0), [100.0; 2]).unwrap();
+            let horizon = Horizon::of(double, 0.0, &view);
+            let [x, y, z] = place;
+            let hides = horizon.hides(Ecef::new(x, y, z).unwrap());
+            let least = lowest_toward(double, place, toward);
+            assert!(
+                (least - 1.0).abs() < 1e-12 || hides == (least < 1.0),
+                "{double:?} {place:?} {least}"
+            );
+            hidden += u32::from(hides);
+            let [x, y, z] = eye.map(|v| v as f32);
+            let rows = camera(1.0).map(|row| row.map(|v| v as f32));
+            let view = Camera::new(Ecef::new(x, y, z).unwrap(), rows, [100.0; 2]).unwrap();
+            let [x, y, z] = place.map(|v| v as f32);
+            let narrow = Horizon::of(single, 0.0, &view).hides(Ecef::new(x, y, z).unwrap());
+            assert!(!narrow || least < 1.0, "{double:?} {place:?} {least}");
+            both += u32::from(narrow);
+        }
+        assert!(hidden > 5_000 && both * 10 > hidden * 9, "{hidden} {both}");
     }
 }
 

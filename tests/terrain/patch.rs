@@ -3,8 +3,8 @@
 use fastrand::Rng;
 use rayon::prelude::*;
 use terrella::cube::{CubeMap, Face, Projection};
-use terrella::terrain::{Heights, InvalidPatch, Patches, Tile};
-use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
+use terrella::terrain::{Base, Flatness, Heights, InvalidBase, InvalidPatch, Patches, Tile};
+use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, NAMED, Shift};
 use testkit::{maximum, minimum};
 
 use crate::sample;
@@ -23,11 +23,16 @@ pub fn mutable(columns: &mut Columns) -> [&mut [f32]; 3] {
     columns.each_mut().map(Vec::as_mut_slice)
 }
 
-/// Displacements and normals.
+/// Displacements and normals, on the ellipsoid.
 pub fn fill(patches: &Patches<Projection>, tile: Tile, samples: u32) -> [Columns; 2] {
+    lifted(patches, tile, Base::default(), samples)
+}
+
+/// Displacements and normals.
+pub fn lifted(patches: &Patches<Projection>, tile: Tile, base: Base, samples: u32) -> [Columns; 2] {
     let mut both = [columns(samples), columns(samples)];
     let [o, n] = &mut both;
-    patches.fill(tile, samples, mutable(o), mutable(n)).unwrap();
+    patches.fill(tile, base, samples, mutable(o), mutable(n)).unwrap();
     both
 }
 
@@ -59,13 +64,19 @@ fn truth(patches: &Patches<Projection>, tile: Tile, node: [u32; 2], count: u32, 
     map.shifted().ellipsoid().to_ecef(position).to_array()
 }
 
-const PLANETS: [fn() -> Ellipsoid<f64>; 3] = [Ellipsoid::wgs84, Ellipsoid::moon, Ellipsoid::mars];
+/// From the deepest sea, and farther down than the floor of Hellas, to above Olympus.
+const HEIGHTS: [f64; 2] = [-11_000.0, 30_000.0];
 
-/// A camera anywhere: evenly over latitudes and longitudes, poles included, evenly in the logarithm of the height from 1 m to 10 000 km.
-fn camera(rng: &mut Rng, ellipsoid: Ellipsoid<f64>) -> (LatLon<f64>, f64, Ecef<f64>) {
+/// A camera anywhere: evenly over latitudes and longitudes, poles included, evenly in the logarithm of the
+/// height above the ground from 1 m to 10 000 km.
+fn camera(rng: &mut Rng, ellipsoid: Ellipsoid<f64>, ground: f64) -> (LatLon<f64>, f64, Ecef<f64>) {
     let place = LatLon::new(180.0 * rng.f64() - 90.0, 360.0 * rng.f64()).unwrap();
     let height = 10_f64.powf(7.0 * rng.f64());
-    (place, height, ellipsoid.to_ecef(Geodetic::new(place, height).unwrap()))
+    (
+        place,
+        height,
+        ellipsoid.to_ecef(Geodetic::new(place, ground + height).unwrap()),
+    )
 }
 
 /// What was worst: the error within a kilometre in metres, the error beyond in units of the distance, and the same of naive single precision.
@@ -75,8 +86,10 @@ struct Worst {
     far: f64,
     naive_near: f64,
     naive_far: f64,
-    /// The error in units of the farthest corner's distance and the height.
+    /// The error in units of the farthest corner's distance and the height above the base.
     rounding: f64,
+    /// How far from a step of the eye of 1 mm that is which is drawn, within a kilometre in metres.
+    step: f64,
 }
 
 impl Worst {
@@ -87,18 +100,21 @@ impl Worst {
             naive_near: maximum(self.naive_near, other.naive_near),
             naive_far: maximum(self.naive_far, other.naive_far),
             rounding: maximum(self.rounding, other.rounding),
+            step: maximum(self.step, other.step),
         }
     }
 }
 
-/// A random camera and vertex, the vertex in a tile as a renderer would have it: its longest side no longer than the distance to it or 1 km.
+/// A random camera and vertex on ground of any height and any slope up to 45°, the vertex in a tile as a
+/// renderer would have it: its longest side no longer than the distance to it or 1 km.
 fn one(rng: &mut Rng) -> Worst {
-    let ellipsoid = PLANETS[rng.usize(0..3)]();
+    let ellipsoid = Ellipsoid::named(NAMED[rng.usize(0..NAMED.len())]).unwrap();
     let projection = Projection::ALL[rng.usize(0..Projection::ALL.len())];
     let shift = Shift::ALL[rng.usize(0..Shift::ALL.len())];
     let patches = map(ellipsoid, shift, projection);
-    let (place, height, eye) = camera(rng, ellipsoid);
-    // A vertex on the ground about as far from the foot of the camera as something between 1 m and the camera's horizon.
+    let ground = HEIGHTS[0] + (HEIGHTS[1] - HEIGHTS[0]) * rng.f64();
+    let (place, height, eye) = camera(rng, ellipsoid, ground);
+    // A vertex about as far from the foot of the camera as something between 1 m and the camera's horizon.
     let reach = minimum((2.0 * ellipsoid.a() * height).sqrt(), ellipsoid.a());
     let way = reach.powf(rng.f64()) / ellipsoid.a();
     let around = std::f64::consts::TAU * rng.f64();
@@ -112,11 +128,13 @@ fn one(rng: &mut Rng) -> Worst {
         .unwrap();
     let vertex_place = ellipsoid.to_geodetic(beside).lat_lon();
     let point = patches.map().project(vertex_place);
-    let ground = ellipsoid.to_ecef(Geodetic::new(vertex_place, 0.0).unwrap()).to_array();
-    let room = maximum(length(minus(ground, eye.to_array())), 1000.0);
+    let under = ellipsoid
+        .to_ecef(Geodetic::new(vertex_place, ground).unwrap())
+        .to_array();
+    let room = maximum(length(minus(under, eye.to_array())), 1000.0);
     let side = |level: u8| {
         let corners = patches
-            .of(Tile::containing(point, level).unwrap())
+            .of(Tile::containing(point, level).unwrap(), Base::default())
             .corners()
             .map(Ecef::to_array);
         (0..4)
@@ -125,26 +143,50 @@ fn one(rng: &mut Rng) -> Worst {
     };
     let level = (0..=20).find(|&level| side(level) <= room).unwrap();
     let tile = Tile::containing(point, level + rng.u8(0..3)).unwrap();
+    let relief = minimum(side(tile.level()), 4_000.0);
+    let base = if rng.bool() {
+        Base::from(Heights::new(ground, ground).unwrap())
+    } else {
+        Base::new([0; 4].map(|_| ground + relief * (rng.f64() - 0.5))).unwrap()
+    };
     let samples = [2, 9, 33][rng.usize(0..3)];
-    let [o, n] = fill(&patches, tile, samples);
+    let [o, n] = lifted(&patches, tile, base, samples);
     let [m, row] = [0; 2].map(|_| rng.u32(0..samples));
     let index = (row * samples + m) as usize;
-    let height = (9000.0 * rng.f64() - 1000.0) as f32;
-    let seen = patches.of(tile).seen_from(eye);
-    let found = seen.at([m, row], samples, at(&o, index), at(&n, index), height);
-    let truth = truth(&patches, tile, [m, row], samples - 1, height.into());
+    let height = (relief * (rng.f64() - 0.5)) as f32;
+    let patch = patches.of(tile, base);
+    let drawn = |eye| {
+        patch
+            .seen_from(eye)
+            .at([m, row], samples, at(&o, index), at(&n, index), height)
+    };
+    let found = drawn(eye);
+    let above = base.at([m, row], samples) + f64::from(height);
+    let truth = truth(&patches, tile, [m, row], samples - 1, above);
     let expected = minus(truth, eye.to_array());
     let distance = length(expected);
     let error = length(minus(found.map(f64::from), expected));
-    let farthest = seen.corners().map(|corner| length(corner.map(f64::from)));
+    let farthest = patch
+        .seen_from(eye)
+        .corners()
+        .map(|corner| length(corner.map(f64::from)));
     let rounding = error / (farthest.into_iter().fold(0.0, maximum) + f64::from(height.abs()));
     let naive: [f32; 3] = std::array::from_fn(|k| truth[k] as f32 - eye.to_array()[k] as f32);
     let naive = length(minus(naive.map(f64::from), expected));
     if distance <= 1000.0 {
+        let up = place.to_direction().to_array();
+        let way: [f64; 3] = match rng.u8(0..3) {
+            0 => up.map(|v| 1e-3 * v),
+            axis => std::array::from_fn(|k| if k == usize::from(axis) { 1e-3 } else { 0.0 }),
+        };
+        let [x, y, z] = std::array::from_fn(|k| eye.to_array()[k] + way[k]);
+        let next = drawn(Ecef::new(x, y, z).unwrap());
+        let step = std::array::from_fn(|k| f64::from(found[k]) - f64::from(next[k]) - way[k]);
         Worst {
             near: error,
             naive_near: naive,
             rounding,
+            step: length(step),
             ..Worst::default()
         }
     } else {
@@ -163,15 +205,17 @@ fn vertices(count: u64) {
         .map(|seed| one(&mut Rng::with_seed(seed)))
         .reduce(Worst::default, Worst::merge);
     println!(
-        "{count} cameras and vertices: {:.2} mm within 1 km, {:.2e} of the distance beyond; naive {:.2} m, {:.2e}; {:.2e} of the farthest corner",
+        "{count} cameras and vertices: {:.2} mm within 1 km, a step of 1 mm within {:.2} mm, {:.2e} of the distance beyond; naive {:.2} m, {:.2e}; {:.2e} of the farthest corner",
         1e3 * worst.near,
+        1e3 * worst.step,
         worst.far,
         worst.naive_near,
         worst.naive_far,
         worst.rounding
     );
-    assert!(worst.near <= 0.005 && worst.near > 0.0, "{}", worst.near);
-    assert!(worst.far <= 1e-6 && worst.far > 0.0, "{}", worst.far);
+    assert!(worst.near <= 0.0003 && worst.near > 0.0, "{}", worst.near);
+    assert!(worst.step <= 0.0005 && worst.step > 0.0, "{}", worst.step);
+    assert!(worst.far <= 4e-7 && worst.far > 0.0, "{}", worst.far);
     assert!(worst.rounding <= 4e-7, "{}", worst.rounding);
     // The contrast: the same places as single precision alone has them.
     assert!(worst.naive_near > 0.1, "{}", worst.naive_near);
@@ -196,13 +240,14 @@ fn slices_are_one_by_one() {
         for &projection in Projection::ALL {
             let patches = map(Ellipsoid::mars(), Shift::Authalic, projection);
             let tile = sample::tile(&mut rng);
-            let [o, n] = fill(&patches, tile, samples);
+            let base = Base::new([0; 4].map(|_| 20_000.0 * rng.f64() - 5_000.0)).unwrap();
+            let [o, n] = lifted(&patches, tile, base, samples);
             let heights: Vec<f32> = (0..samples * samples).map(|_| rng.f32() * 1000.0).collect();
-            let seen = patches.of(tile).seen_from(Ecef::new(3.4e6, 100.0, 2e5).unwrap());
+            let seen = patches.of(tile, base).seen_from(Ecef::new(3.4e6, 100.0, 2e5).unwrap());
             let mut vertices = columns(samples);
             seen.fill(samples, shared(&o), shared(&n), &heights, mutable(&mut vertices))
                 .unwrap();
-            let corners = patches.of(tile).corners().map(Ecef::to_array);
+            let corners = patches.of(tile, base).corners().map(Ecef::to_array);
             for row in 0..samples {
                 for m in 0..samples {
                     let k = (row * samples + m) as usize;
@@ -211,7 +256,7 @@ fn slices_are_one_by_one() {
                     // The displacement is from the bilinear patch.
                     let count = f64::from(samples - 1);
                     let (s, t) = (f64::from(m) / count, f64::from(row) / count);
-                    let ground = truth(&patches, tile, [m, row], samples - 1, 0.0);
+                    let ground = truth(&patches, tile, [m, row], samples - 1, base.at([m, row], samples));
                     let expected: [f64; 3] = std::array::from_fn(|k| {
                         let up = corners[0][k] * s + corners[1][k] * (1.0 - s);
                         let down = corners[3][k] * s + corners[2][k] * (1.0 - s);
@@ -399,6 +444,48 @@ fn flatness_of_every_map() {
     });
 }
 
+/// On a level base it is the displacement and as much of the base's height as normals turn.
+#[test]
+fn flatness_holds_on_a_level_base() {
+    Projection::ALL.par_iter().for_each(|&projection| {
+        let mut rng = Rng::with_seed(8);
+        for ellipsoid in [Ellipsoid::wgs84(), Ellipsoid::moon()] {
+            let patches = map(ellipsoid, Shift::Authalic, projection);
+            for level in [0, 1, 2, 4, 8, 12, 16] {
+                let Flatness { displacement, turning } = patches.flatness(level);
+                for tile in suspects(&mut rng, level, 30) {
+                    let height = HEIGHTS[rng.usize(0..2)];
+                    let base = Base::from(Heights::new(height, height).unwrap());
+                    let [o, _] = lifted(&patches, tile, base, 9);
+                    for k in 0..81 {
+                        let found = length(at(&o, k).map(f64::from));
+                        let bound = displacement + height.abs() * turning;
+                        assert!(found <= bound, "{projection} {tile:?} {height}: {found} {bound}");
+                    }
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn what_is_no_base_is_refused() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for k in 0..4 {
+            let mut corners = [100.0; 4];
+            corners[k] = bad;
+            let InvalidBase(found) = Base::new(corners).unwrap_err();
+            assert_eq!(found.to_bits(), bad.to_bits());
+        }
+    }
+    assert_eq!(
+        InvalidBase(f64::INFINITY).to_string(),
+        "inf metres are no height of a base"
+    );
+    let widest = Heights::new(f64::MIN, f64::MAX).unwrap();
+    assert_eq!(Base::from(widest), Base::default());
+}
+
 #[test]
 fn plain_tiles_are_within_their_tolerance() {
     let heights = Heights::new(-500.0, 8000.0).unwrap();
@@ -409,13 +496,16 @@ fn plain_tiles_are_within_their_tolerance() {
             let level = patches.plain_level(tolerance, heights).unwrap();
             for _ in 0..300 {
                 let tile = sample::tile_of(&mut rng, level);
-                let patch = patches.of(tile);
+                let base = if rng.bool() { 0.0 } else { 7000.0 };
+                let patch = patches.of(tile, Base::from(Heights::new(base, base).unwrap()));
                 let node = [rng.u32(0..=16), rng.u32(0..=16)];
                 let height = if rng.bool() { -500.0 } else { 8000.0 };
                 let expected = truth(&patches, tile, node, 16, height);
                 let eye = Ecef::new(expected[0], expected[1], expected[2]).unwrap();
                 let place = node.map(|index| index as f32 / 16.0);
-                let found = patch.seen_from(eye).plain(place, patch.normals(), height as f32);
+                let found = patch
+                    .seen_from(eye)
+                    .plain(place, patch.normals(), (height - base) as f32);
                 // The height itself is rounded.
                 let error = length(found.map(f64::from));
                 assert!(error <= tolerance + 0.002, "{projection} {level} {error}");
@@ -452,19 +542,24 @@ fn what_is_no_patch_is_refused() {
     let tile = Tile::root(Face::Top);
     let (mut o, mut n) = (columns(3), columns(3));
     for samples in [0, 1, 4098, u32::MAX] {
-        let refused = patches.fill(tile, samples, mutable(&mut o), mutable(&mut n));
+        let refused = patches.fill(tile, Base::default(), samples, mutable(&mut o), mutable(&mut n));
         assert_eq!(refused, Err(InvalidPatch::Samples(samples)));
     }
     n[2].pop();
     let wrong = InvalidPatch::Length { expected: 9, length: 8 };
-    assert_eq!(patches.fill(tile, 3, mutable(&mut o), mutable(&mut n)), Err(wrong));
+    assert_eq!(
+        patches.fill(tile, Base::default(), 3, mutable(&mut o), mutable(&mut n)),
+        Err(wrong)
+    );
     assert!(o.iter().flatten().all(|&v| v == 0.0));
     assert_eq!(wrong.to_string(), "a slice of 8 elements for 9 samples");
     assert_eq!(
         InvalidPatch::Samples(1).to_string(),
         "1 samples along an edge are not in 2 to 4097"
     );
-    let seen = patches.of(tile).seen_from(Ecef::new(0.0, 0.0, 0.0).unwrap());
+    let seen = patches
+        .of(tile, Base::default())
+        .seen_from(Ecef::new(0.0, 0.0, 0.0).unwrap());
     let (long, short) = ([0.0; 9], [0.0; 8]);
     let mut out = columns(3);
     let refused = seen.fill(3, [&long; 3], [&long; 3], &short, mutable(&mut out));

@@ -3,29 +3,31 @@
 use fastrand::Rng;
 use rayon::prelude::*;
 use terrella::cube::{CubeMap, CubeProjection, Face, Projection};
-use terrella::terrain::{Patches, Split, Tile};
+use terrella::terrain::{Base, Heights, Patches, Split, Tile};
 use terrella::{Ecef, Ellipsoid, Real, Shift};
 use testkit::maximum;
 
 use crate::patch::{length, map, minus};
 
-/// The ground by latitude and longitude.
-fn ground(patches: &Patches<Projection>, tile: Tile, node: [u32; 2], count: u32) -> [f64; 3] {
+/// The ground of a height by latitude and longitude.
+fn ground(patches: &Patches<Projection>, tile: Tile, node: [u32; 2], count: u32, height: f64) -> [f64; 3] {
     let place = patches.map().unproject(tile.node(node, count));
-    let position = terrella::Geodetic::new(place, 0.0).unwrap();
+    let position = terrella::Geodetic::new(place, height).unwrap();
     patches.map().shifted().ellipsoid().to_ecef(position).to_array()
 }
 
 /// The error of a tile's series without a camera, and the length of its way.
-fn error(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile) -> [f64; 2] {
-    let series = patches.series(tile).unwrap();
+fn error(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile, height: f64) -> [f64; 2] {
+    let series = patches
+        .series(tile, Base::from(Heights::new(height, height).unwrap()))
+        .unwrap();
     let node = match rng.u8(0..3) {
         0 => [16 * rng.u32(0..=1), rng.u32(0..=16)],
         1 => [rng.u32(0..=16), 16 * rng.u32(0..=1)],
         _ => [rng.u32(0..=16), rng.u32(0..=16)],
     };
     let place = node.map(|index| index as f32 / 8.0 - 1.0);
-    let way = minus(ground(patches, tile, node, 16), series.anchor().to_array());
+    let way = minus(ground(patches, tile, node, 16, height), series.anchor().to_array());
     let apart = minus(series.offset(place).map(f64::from), way);
     [length(apart), length(way)]
 }
@@ -45,8 +47,10 @@ fn series_are_within_their_truncation() {
                 let mut most = 0.0_f64;
                 for _ in 0..400 {
                     let tile = crate::sample::tile_of(&mut rng, level);
-                    let [error, way] = error(&mut rng, &patches, tile);
-                    let allowed = bound + 3e-7 * way;
+                    let height = [0.0, -11_000.0, 30_000.0][rng.usize(0..3)];
+                    let [error, way] = error(&mut rng, &patches, tile, height);
+                    let curvature = ellipsoid.b() * ellipsoid.b() / ellipsoid.a();
+                    let allowed = bound * (1.0 + height.abs() / curvature) + 3e-7 * way;
                     assert!(error <= allowed, "{projection} {shift} {tile:?}: {error} > {allowed}");
                     most = maximum(most, error / allowed);
                 }
@@ -76,8 +80,12 @@ impl CubeProjection for Cone {
 fn a_singular_middle_is_refused() {
     let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Cone).unwrap());
     let tile = Tile::root(Face::Front);
-    assert_eq!(patches.series(tile).unwrap_err().0, tile.centre());
-    assert!(patches.series(Tile::new(Face::Front, 1, 0, 0).unwrap()).is_ok());
+    assert_eq!(patches.series(tile, Base::default()).unwrap_err().0, tile.centre());
+    assert!(
+        patches
+            .series(Tile::new(Face::Front, 1, 0, 0).unwrap(), Base::default())
+            .is_ok()
+    );
     assert_eq!(patches.truncation(0), f64::INFINITY);
 }
 
@@ -94,9 +102,9 @@ fn series_and_patch_meet() {
         for _ in 0..2000 {
             let level = rng.u8(12..=16);
             let tile = crate::sample::tile_of(&mut rng, level);
-            let patch = patches.of(tile);
+            let patch = patches.of(tile, Base::default());
             let [eye, ..] = patch.corners();
-            let series = patches.series(tile).unwrap();
+            let series = patches.series(tile, Base::default()).unwrap();
             let (origin, seen) = (series.origin(eye), patch.seen_from(eye).corners());
             for (place, corner) in [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
                 .into_iter()

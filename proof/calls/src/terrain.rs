@@ -1,7 +1,7 @@
 use terrella::cube::{Corner, CubeMap, Edge, FacePoint, Numbering, Projection};
 use terrella::terrain::{
-    self, Adjacent, Along, Around, BoundingSphere, Camera, Curve, Detail, Diagonal, Enclosure, Flatness, Heights,
-    Hilbert, Horizon, InvalidCamera, InvalidDetail, InvalidHeights, InvalidKey, InvalidNumberedTile, InvalidPatch,
+    self, Adjacent, Along, Around, Base, BoundingSphere, Camera, Curve, Detail, Diagonal, Enclosure, Flatness, Heights,
+    Hilbert, Horizon, InvalidBase, InvalidCamera, InvalidDetail, InvalidHeights, InvalidKey, InvalidNumberedTile, InvalidPatch,
     InvalidPlace, InvalidTile, InvalidToken, Key, Morton, OrientedBox, Patch, Patches, Selection, Series, Split,
     Symmetry, Tile, Vertices,
 };
@@ -31,6 +31,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     // Patches are made in double precision, whatever they are drawn in.
     if T::NAME == f64::NAME {
         symmetries(visitor);
+        bases(visitor);
         for &projection in Projection::ALL {
             patches(visitor, projection);
         }
@@ -239,6 +240,20 @@ fn camera<T: Scalar>(direction: Direction<T>) -> Option<Camera<T>> {
     Camera::new(eye, matrix, [T::of(1024.0), T::of(768.0)]).ok()
 }
 
+/// The same without perspective, 10 000 km wide.
+fn parallel<T: Scalar>(direction: Direction<T>) -> Option<Camera<T>> {
+    let [x, y, z] = direction.to_array();
+    let [away, scale] = [T::of(7e6), T::of(2e-7)];
+    let eye = Ecef::new(x * away, y * away, z * away).ok()?;
+    let matrix = [
+        [-y * scale, x * scale, T::ZERO, T::ZERO],
+        [-(z * x) * scale, -(z * y) * scale, (x * x + y * y) * scale, T::ZERO],
+        [T::ZERO; 4],
+        [T::ZERO, T::ZERO, T::ZERO, T::ONE],
+    ];
+    Camera::new(eye, matrix, [T::of(1024.0), T::of(768.0)]).ok()
+}
+
 fn views<T: Scalar, V: Visitor>(visitor: &mut V) {
     let draw = |arguments: &mut Arguments| (arguments.ecef::<T>(), arguments.units::<T, 2>());
     visitor.function::<T, _, _>("Camera::new", draw, |(eye, pixels)| {
@@ -265,15 +280,16 @@ fn views<T: Scalar, V: Visitor>(visitor: &mut V) {
         return;
     };
     let draw = |arguments: &mut Arguments| (arguments.direction::<T>(), tile::<T>(arguments));
-    visitor.function::<T, _, _>("Camera::coverage", draw, |(direction, tile)| {
+    visitor.function::<T, _, _>("Enclosure::coverage", draw, |(direction, tile)| {
         let bounds = Enclosure::of(&enclosure, tile, hills());
-        camera(direction).map(|camera| {
-            let horizon = Horizon::new(Ellipsoid::wgs84(), T::of(-500.0), Camera::eye(&camera));
-            (
-                Camera::coverage(&camera, &bounds),
+        [camera(direction), parallel(direction)].map(|camera| {
+            let camera = camera?;
+            let horizon = Horizon::of(Ellipsoid::wgs84(), T::of(-500.0), &camera);
+            Some((
+                Enclosure::coverage(&enclosure, &camera, tile, hills()),
                 Camera::sees(&camera, &bounds),
                 Horizon::hides_box(&horizon, &bounds),
-            )
+            ))
         })
     });
     let details = [Detail::new(256, T::of(1.5), 6), {
@@ -283,10 +299,12 @@ fn views<T: Scalar, V: Visitor>(visitor: &mut V) {
     for (detail, name) in details.into_iter().zip(["coverage", "anisotropic"]) {
         let function = Function::of("Selection", name).calls(4);
         visitor.visit::<T, _, _>(function, Arguments::direction::<T>, |direction| {
-            let (camera, detail) = (camera(direction)?, detail.ok()?);
-            let tiles = Selection::new(&enclosure, camera, detail, |_| hills());
+            let detail = detail.ok()?;
             let mut hash = Hash::default();
-            tiles.for_each(|tile| tile.add_to(&mut hash));
+            for camera in [camera(direction)?, parallel(direction)?] {
+                let tiles = Selection::new(&enclosure, camera, detail, |_| hills());
+                tiles.for_each(|tile| tile.add_to(&mut hash));
+            }
             Some(hash.value())
         });
     }
@@ -324,33 +342,48 @@ fn symmetries<V: Visitor>(visitor: &mut V) {
     });
 }
 
+/// Heights of some kilometres in the corners.
+fn base(arguments: &mut Arguments) -> Base {
+    let corners = [(); 4].map(|()| 1e4 * arguments.unit::<f64>());
+    Base::new(corners).unwrap_or_default()
+}
+
+fn bases<V: Visitor>(visitor: &mut V) {
+    let draw = |arguments: &mut Arguments| [(); 4].map(|()| 1e4 * arguments.unit::<f64>());
+    visitor.function::<f64, _, _>("Base::new", draw, |corners| {
+        let level = Base::from(hills::<f64>());
+        [Base::new(corners), Ok(level)].map(|base| base.map(|base| (Base::corners(base), Base::at(base, [1, 3], SAMPLES))))
+    });
+}
+
 fn patches<V: Visitor>(visitor: &mut V, projection: Projection) {
     let Ok(map) = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection) else {
         return;
     };
     let patches = Patches::new(map);
     let name = |function| Function::of(function, Projection::name(projection));
-    visitor.visit::<f64, _, _>(name("Patches::fill").calls(32), tile::<f64>, |tile| {
+    let draw = |arguments: &mut Arguments| (tile::<f64>(arguments), base(arguments));
+    visitor.visit::<f64, _, _>(name("Patches::fill").calls(32), draw, |(tile, base)| {
         let (mut displacements, mut normals) = (EMPTY, EMPTY);
-        let patch = Patches::fill(&patches, tile, SAMPLES, slots(&mut displacements), slots(&mut normals));
+        let patch = Patches::fill(&patches, tile, base, SAMPLES, slots(&mut displacements), slots(&mut normals));
         (patch, displacements, normals)
     });
     let draw = |arguments: &mut Arguments| {
         (
-            tile::<f64>(arguments),
+            (tile::<f64>(arguments), base(arguments)),
             arguments.ecef::<f64>(),
             arguments.units::<f32, 2>(),
         )
     };
-    visitor.visit::<f64, _, _>(name("Patches::series"), draw, |(tile, camera, place)| {
-        let series = Patches::series(&patches, tile);
+    visitor.visit::<f64, _, _>(name("Patches::series"), draw, |((tile, base), camera, place)| {
+        let series = Patches::series(&patches, tile, base);
         series.map(|series| (series, Series::origin(&series, camera), Series::offset(&series, place)))
     });
     if projection != Projection::Vertex {
         return;
     }
-    visitor.visit::<f64, _, _>(name("Patches::of"), draw, |(tile, camera, place)| {
-        let patch = Patches::of(&patches, tile);
+    visitor.visit::<f64, _, _>(name("Patches::of"), draw, |((tile, base), camera, place)| {
+        let patch = Patches::of(&patches, tile, base);
         let seen = Patch::seen_from(&patch, camera);
         let normals = Patch::normals(&patch);
         let plain = Vertices::plain(&seen, place, normals, 120.0);
@@ -364,7 +397,7 @@ fn patches<V: Visitor>(visitor: &mut V, projection: Projection) {
         name("Vertices::fill").calls(32),
         draw,
         |((tile, camera), displacements, normals)| {
-            let seen = Patch::seen_from(&Patches::of(&patches, tile), camera);
+            let seen = Patch::seen_from(&Patches::of(&patches, tile, Base::default()), camera);
             let [heights, ..] = displacements;
             let mut vertices = EMPTY;
             let outcome = Vertices::fill(
@@ -424,6 +457,7 @@ parts! {
     Patch |p| (Patch::corners(p), Patch::normals(p));
     Series |s| (Series::anchor(s), Series::coefficients(s));
     Flatness |f| [f.displacement, f.turning];
+    InvalidBase |why| why.0;
     InvalidKey |why| why.0;
     InvalidTile |why| match why {
         InvalidTile::Level(level) => (*level, None),

@@ -1,0 +1,86 @@
+use core::fmt;
+
+use super::Heights;
+use super::bilinear::{mean, weights};
+
+/// The heights above the ellipsoid to which the corners of a tile's patch are lifted, in double precision;
+/// between them they are interpolated.
+///
+/// A vertex has its height above this base, in single precision: the base is to be near the ground, at most
+/// some hundred metres from it in tiles next to the eye.
+///
+/// * The middle of a tile's heights ([`From<Heights>`](Heights)) is level. Tiles of different bases agree
+///   along a common edge to rounding only, which a skirt hides.
+/// * The heights of the ground in the corners ([`new`](Self::new)): two tiles that share an edge and a level
+///   have the same base there, and the same bits.
+/// * The ellipsoid itself ([`default`](Self::default)), for water, and where millimetres do not count: at a
+///   height of 8 km `f32` has steps of half a millimetre.
+///
+/// ```
+/// use terrella::terrain::{Base, Heights};
+/// let level = Base::from(Heights::new(4_000.0, 4_400.0)?);
+/// assert_eq!(level.at([3, 5], 9), 4_200.0);
+/// // Counter-clockwise from the corner of largest x and y.
+/// let sloping = Base::new([4_400.0, 4_300.0, 4_100.0, 4_200.0])?;
+/// let corners = [[8, 8], [0, 8], [0, 0], [8, 0]].map(|node| sloping.at(node, 9));
+/// assert_eq!((corners, sloping.at([4, 4], 9)), (sloping.corners(), 4_250.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Base {
+    corners: [f64; 4],
+}
+
+impl Base {
+    /// From heights in the corners in metres, counter-clockwise from the one of largest x and y, as
+    /// [`Corner::ALL`](crate::cube::Corner::ALL).
+    ///
+    /// # Errors
+    /// [`InvalidBase`] if one is infinite or NaN.
+    pub fn new(corners: [f64; 4]) -> Result<Self, InvalidBase> {
+        match corners.iter().find(|height| !height.is_finite()) {
+            Some(&height) => Err(InvalidBase(height)),
+            None => Ok(Self { corners }),
+        }
+    }
+
+    /// The heights of the corners, in metres.
+    #[must_use]
+    #[inline(always)]
+    pub const fn corners(self) -> [f64; 4] {
+        self.corners
+    }
+
+    /// The height in column m and row n of a grid of `samples` × `samples`, in metres: what is to be taken
+    /// off a vertex's height above the ellipsoid. Within 2 ulps of the largest of the four.
+    #[must_use]
+    #[inline]
+    pub fn at(self, [m, n]: [u32; 2], samples: u32) -> f64 {
+        let last = samples.saturating_sub(1).max(1);
+        let place = [m.min(last), n.min(last)].map(f64::from);
+        mean(self.corners, weights(place, last.into()))
+    }
+}
+
+/// Level, in the middle.
+impl From<Heights<f64>> for Base {
+    fn from(heights: Heights<f64>) -> Self {
+        Self {
+            corners: [0.5 * heights.low() + 0.5 * heights.high(); 4],
+        }
+    }
+}
+
+/// A height of a [`Base`] that is infinite or NaN.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct InvalidBase(pub f64);
+
+impl fmt::Display for InvalidBase {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?} metres are no height of a base", self.0)
+    }
+}
+
+impl core::error::Error for InvalidBase {}
