@@ -1,0 +1,102 @@
+//! What operations refuse, each line in place, in one line.
+
+use crate::run::{complaint, in_place};
+
+#[test]
+fn numbers_of_columns() {
+    in_place(
+        "solve",
+        "1 2 3 4",
+        &[
+            (b"1 2 3", "fields: 4 expected, 3 found"),
+            (b"1 2 3 4 5", "fields: 4 expected, 5 found"),
+        ],
+    );
+    in_place(
+        "polygon",
+        "1 2 3 4 5 6",
+        &[(b"1 2 3", "fields: 0, 2, 4, … expected, 3 found")],
+    );
+    in_place(
+        "polygon-edges",
+        "0 0 90 1",
+        &[(b"1 2 3", "fields: 2, 4, 6, … expected, 3 found")],
+    );
+    in_place("radii", "mars", &[(b"mars moon", "fields: 0 to 1 expected, 2 found")]);
+}
+
+#[test]
+fn places_and_vectors() {
+    let latitude = "latitude 91.0 is not in [-90, 90] degrees";
+    for (command, right) in [
+        ("solve", "1 2 3 4"),
+        ("line", "1 2 3 4"),
+        ("line-between", "1 2 3 4 0.5"),
+        ("line-toward", "1 2 3 4 5"),
+        ("gnomonic", "1 2 3 4"),
+        ("polygon", "1 2 3 4"),
+        ("polygon-edges", "1 2 3 4"),
+        ("polyline", "1 2 3 4"),
+        ("gc-mid", "1 2 3 4"),
+        ("gc-frac", "1 2 3 4 0.5"),
+        ("direction", "1 2"),
+        ("up", "1 2"),
+        ("geodetic-to-ned", "1 2 3 4 5 6"),
+        ("aer-to-geodetic", "1 2 3 4 5 6"),
+        ("vector-to-enu", "1 2 3 4 5"),
+    ] {
+        let wrong = right.replacen('1', "91", 1);
+        in_place(command, right, &[(wrong.as_bytes(), latitude)]);
+        let wrong = right.replacen('1', "nan", 1);
+        in_place(
+            command,
+            right,
+            &[(wrong.as_bytes(), "latitude NaN is not in [-90, 90] degrees")],
+        );
+    }
+    in_place(
+        "gc-inverse",
+        "1 2 3 4 5",
+        &[(b"0 2 3 4 5", "semi-major axis 0.0 is not in [1e-15, 1e15] metres")],
+    );
+    in_place("latlon", "1 2 3", &[(b"0 0 0", "(0.0, 0.0, 0.0) has no direction")]);
+    in_place("wrap", "1", &[(b"inf", "longitude inf is not finite")]);
+    in_place(
+        "gnomonic",
+        "0 0 1 1",
+        &[(b"0 0 0 91", "beyond the horizon of the gnomonic projection")],
+    );
+    in_place("line", "1 2 3 4", &[(b"1 2 nan 4", "azimuth NaN is not finite")]);
+    in_place("radii", "moon", &[(b"1,2", "flattening 2.0 is not in [-1000, 1)")]);
+}
+
+#[test]
+fn faces() {
+    in_place(
+        "from-numbered --numbering fits --projection square",
+        "0 0.5 0.5",
+        &[
+            (b"6 0 0", "face 6 is not in 0 to 5"),
+            (b"0.5 0 0", "\"0.5\" is not a whole number, or too large"),
+            (b"256 0 0", "\"256\" is not a whole number, or too large"),
+            (b"0 1.5 0", "(1.5, 0.0) is not in [-1, 1]²"),
+        ],
+    );
+}
+
+#[test]
+fn options() {
+    for (arguments, why) in [
+        ("solve --ellipsoid 1,0.5", "flattening 0.5"),
+        ("polygon --ellipsoid flat", "unknown ellipsoid"),
+        ("polygon --method karney", "--method"),
+        ("numbered --projection square", "--numbering"),
+        ("numbered --numbering esri --projection square", "opengl"),
+        ("wrap --ellipsoid wgs84", "--ellipsoid"),
+        ("gc-mid 1 2 3 4", "unexpected argument"),
+        ("solve --scalar f16", "f32"),
+    ] {
+        let complaint = complaint(arguments);
+        assert!(complaint.contains(why), "{arguments}: {complaint} lacks {why}");
+    }
+}
