@@ -101,6 +101,14 @@ pub struct Numbered {
     pub sphere: Sphere,
 }
 
+/// The projection of cells.
+#[derive(Args)]
+pub struct Cells {
+    /// The projection between sphere and cube.
+    #[arg(long, value_name = "NAME", default_value = "s2-quadratic", value_parser = projection())]
+    pub projection: Projection,
+}
+
 /// A projection of the ellipsoid.
 #[derive(Args)]
 pub struct Map {

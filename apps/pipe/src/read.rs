@@ -10,7 +10,7 @@ use crate::operation::Failure;
 use crate::write::Row;
 
 /// A precision in which numbers are read, computed and written.
-pub trait Number: Real + FromStr + Read + Row {}
+pub trait Number: Real + FromStr + Into<f64> + Read + Row {}
 
 impl Number for f64 {}
 impl Number for f32 {}
@@ -139,6 +139,8 @@ single! {
     f64, number;
     f32, number;
     u8, whole;
+    u32, whole;
+    u64, whole;
 }
 
 impl<C: Read, const N: usize> Read for [C; N] {

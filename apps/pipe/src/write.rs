@@ -49,6 +49,8 @@ single! {
     f64 => "{:?}";
     f32 => "{:?}";
     u8 => "{}";
+    u32 => "{}";
+    u64 => "{}";
 }
 
 impl Row for bool {
@@ -69,6 +71,12 @@ impl<R: Row, const N: usize> Row for [R; N] {
     }
 }
 
+impl<R: Row> Row for Vec<R> {
+    fn write(&self, columns: &mut Columns) -> fmt::Result {
+        self.as_slice().write(columns)
+    }
+}
+
 macro_rules! tuple {
     ($($name:ident $index:tt)*) => {
         impl<$($name: Row),*> Row for ($($name,)*) {
@@ -82,6 +90,7 @@ macro_rules! tuple {
 
 tuple!(A 0 B 1);
 tuple!(A 0 B 1 C 2);
+tuple!(A 0 B 1 C 2 D 3);
 
 /// The columns of a type of the library.
 macro_rules! rows {

@@ -40,7 +40,7 @@ fn to_enu<T: Number>(local: Local) -> Result<Answer, Failure> {
 
 fn from_enu<T: Number>(local: Local) -> Result<Answer, Failure> {
     let frame = local.frame::<T>()?;
-    answer(move |enu: Enu<T>| Ok(frame.ellipsoid().to_geodetic(frame.from_enu(enu)?)))
+    answer(move |enu: Enu<T>| Ok(frame.enu_to_geodetic(enu)?))
 }
 
 fn from_geodetic<T: Number, F: Row + From<Enu<T>>>(planet: Planet) -> Result<Answer, Failure> {
@@ -53,7 +53,7 @@ fn from_geodetic<T: Number, F: Row + From<Enu<T>>>(planet: Planet) -> Result<Ans
 fn to_geodetic<T: Number, F: Read + Into<Enu<T>>>(planet: Planet) -> Result<Answer, Failure> {
     let ellipsoid = planet.ellipsoid::<T>()?;
     answer(move |(origin, place): (Geodetic<T>, F)| {
-        Ok(ellipsoid.to_geodetic(LocalFrame::new(ellipsoid, origin).from_enu(place.into())?))
+        Ok(LocalFrame::new(ellipsoid, origin).enu_to_geodetic(place.into())?)
     })
 }
 

@@ -1,9 +1,11 @@
 //! The operations: each a name, its columns, its options, and a function from them to what answers a line.
 
 mod angle;
+mod cell;
 mod cube;
 mod frame;
 mod geodesic;
+mod healpix;
 mod horizon;
 mod latitude;
 mod polygon;
@@ -43,6 +45,8 @@ pub const GROUPS: &[Group] = &[
     frame::GROUP,
     latitude::GROUP,
     cube::GROUP,
+    cell::GROUP,
+    healpix::GROUP,
     horizon::GROUP,
     angle::GROUP,
 ];

@@ -22,6 +22,7 @@ fn numbers_of_columns() {
         "0 0 90 1",
         &[(b"1 2 3", "fields: 2, 4, 6, … expected, 3 found")],
     );
+    in_place("cell-parent", "14", &[(b"14 0 0", "fields: 1 to 2 expected, 3 found")]);
     in_place("radii", "mars", &[(b"mars moon", "fields: 0 to 1 expected, 2 found")]);
 }
 
@@ -71,7 +72,7 @@ fn places_and_vectors() {
 }
 
 #[test]
-fn faces() {
+fn faces_and_cells() {
     in_place(
         "from-numbered --numbering fits --projection square",
         "0 0.5 0.5",
@@ -82,6 +83,53 @@ fn faces() {
             (b"0 1.5 0", "(1.5, 0.0) is not in [-1, 1]²"),
         ],
     );
+    in_place(
+        "cell",
+        "1 2 3",
+        &[
+            (b"91 2 3", "latitude 91.0 is not in [-90, 90] degrees"),
+            (b"1 2 31", "level 31 is not in 0 to 30"),
+            (b"1 2 -1", "\"-1\" is not a whole number, or too large"),
+        ],
+    );
+    in_place(
+        "token",
+        "94",
+        &[
+            (b"876b%20e99", "' ' is not a digit in base 16"),
+            (b"876bee99%0A", "'\\n' is not a digit in base 16"),
+            (b"%4", "% without two digits"),
+            (b"%zz", "% without two digits"),
+            (b"%ff", "invalid utf-8 sequence of 1 bytes from index 0"),
+            (b"f", "0xf000000000000000 is no tile's key"),
+            (b"12345678123456781", "a token of 17 bytes is not one of 1 to 16"),
+        ],
+    );
+    in_place(
+        "key",
+        "3000000000000000",
+        &[(b"0", "0x0000000000000000 is no tile's key"), (b"x", "\"x\" is no id")],
+    );
+    in_place(
+        "cell-parent",
+        "14",
+        &[
+            (b"3", "a face has no parent"),
+            (b"14 2", "level 2 is finer than the cell's, 1"),
+            (b"14 31", "level 31 is not in 0 to 30"),
+        ],
+    );
+    in_place(
+        "cell-children",
+        "14",
+        &[(b"0000000000000001", "a leaf has no children")],
+    );
+    in_place(
+        "cell-vertex",
+        "14 0",
+        &[(b"14 1", "level 1 is not coarser than the cell's, 1")],
+    );
+    in_place("cell-all", "14 1", &[(b"14 31", "level 31 is not in 0 to 30")]);
 }
 
 #[test]
@@ -92,6 +140,7 @@ fn options() {
         ("polygon --method karney", "--method"),
         ("numbered --projection square", "--numbering"),
         ("numbered --numbering esri --projection square", "opengl"),
+        ("cell --projection flat", "s2-quadratic"),
         ("wrap --ellipsoid wgs84", "--ellipsoid"),
         ("gc-mid 1 2 3 4", "unexpected argument"),
         ("solve --scalar f16", "f32"),
