@@ -3,7 +3,7 @@
 use crate::run::answers;
 
 /// Where it comes from, the command, the line, and what comes back: right to the digits given. In `f32` the difference
-/// is at most `single` of the value, or of 1 if that is larger; 0 stands for text, the same in both precisions.
+/// is at most `single` of the value and of 1; 0 stands for text, the same in both precisions.
 struct Case {
     source: &'static str,
     command: &'static str,
@@ -140,12 +140,12 @@ const CASES: &[Case] = &[
 /// Compared as it is written, in both precisions.
 const TEXT: f64 = 0.0;
 
-/// Whether a number is the expected one to the digits given, and so much of it, or of 1, beside.
+/// Whether a number is the expected one to the digits given, and so much of it and of 1 beside.
 fn agrees(found: &str, expected: &str, allowed: f64) -> bool {
     let (number, wanted): (f64, f64) = (found.parse().unwrap(), expected.parse().unwrap());
     let decimals = expected.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let half_digit = 0.5001 * 0.1_f64.powi(decimals as i32);
-    (number - wanted).abs() <= half_digit + allowed * wanted.abs().max(1.0)
+    (number - wanted).abs() <= half_digit + allowed * (1.0 + wanted.abs())
 }
 
 #[test]
