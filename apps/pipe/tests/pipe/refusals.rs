@@ -1,6 +1,7 @@
-//! What operations refuse, each line in place, in one line.
+//! What operations refuse, each line in place, in one line; and that nothing at all ends a run.
 
-use crate::run::{complaint, in_place};
+use crate::run::{complaint, in_place, run};
+use crate::values::CASES;
 
 #[test]
 fn numbers_of_columns() {
@@ -147,5 +148,35 @@ fn options() {
     ] {
         let complaint = complaint(arguments);
         assert!(complaint.contains(why), "{arguments}: {complaint} lacks {why}");
+    }
+}
+
+#[test]
+fn every_line_is_answered_whatever_it_holds() {
+    let fields = [
+        "nan", "inf", "-inf", "1e308", "-1e308", "1e30", "1e-320", "0", "-0", "1", "29", "30", "90", "-90", "180",
+        "1e5", "1.5", "x", "%", "%00", "ffffffffffffffff", "3", "1000000000000000", "99999999999999999999", "wgs84",
+        "\u{fc}",
+    ];
+    for case in CASES {
+        let columns: Vec<_> = case.line.split(' ').collect();
+        let mut lines: Vec<_> = fields.map(|field| vec![field; columns.len()].join(" ")).to_vec();
+        for column in 0..columns.len() {
+            for field in fields {
+                let mut line = columns.clone();
+                line[column] = field;
+                lines.push(line.join(" "));
+            }
+        }
+        for scalar in ["f64", "f32"] {
+            let run = run(&format!("{} --scalar {scalar}", case.command), lines.join("\n"));
+            assert!(
+                run.code <= 1 && run.complaint.is_empty(),
+                "{}: {}",
+                case.command,
+                run.complaint
+            );
+            assert_eq!(run.output.lines().count(), lines.len(), "{}", case.command);
+        }
     }
 }
