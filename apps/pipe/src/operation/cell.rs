@@ -25,7 +25,7 @@ pub const GROUP: Group = group! {
     "cell-contains"
         "token token -> 1 if the first holds the second, 0 if not: by keys, and by tiles", contains(Nothing);
     "cell-edges-ordered" "token -> its neighbours below, to the right, above and to the left", edges(Nothing);
-    "cell-all" "token level -> all cells of the level around it", around(Nothing);
+    "cell-all" "token level -> all cells of the level around it, at most 10 levels finer", around(Nothing);
     "cell-vertex" "token level -> the cells of a coarser level around the vertex nearest to it", vertex(Nothing);
     "cell-corners" "token -> X Y Z of its corners, counter-clockwise from (1, 1) of this crate's axes", corners(Cells);
     "cell-area" "token -> steradians between the great circles through its corners", area(Cells);
@@ -36,6 +36,9 @@ pub const GROUP: Group = group! {
 };
 
 type Cell = Key<Hilbert>;
+
+/// How many levels finer the cells around another can be: 2¹⁰ of them along each edge.
+const FINER: u8 = 10;
 
 /// A cell as its token.
 impl Read for Cell {
@@ -177,6 +180,13 @@ fn edges<T: Number>(_: Nothing) -> Result<Answer, Failure> {
 
 fn around<T: Number>(_: Nothing) -> Result<Answer, Failure> {
     answer(|(cell, level): (Cell, u8)| {
+        if level > cell.level() + FINER {
+            return Err(format!(
+                "level {level} is more than {FINER} finer than the cell's, {}",
+                cell.level()
+            )
+            .into());
+        }
         let tile = Tile::from(cell);
         let mut tiles = Vec::new();
         for edge in Edge::ALL {

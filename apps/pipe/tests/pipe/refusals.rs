@@ -130,7 +130,14 @@ fn faces_and_cells() {
         "14 0",
         &[(b"14 1", "level 1 is not coarser than the cell's, 1")],
     );
-    in_place("cell-all", "14 1", &[(b"14 31", "level 31 is not in 0 to 30")]);
+    in_place(
+        "cell-all",
+        "14 1",
+        &[
+            (b"14 31", "level 31 is more than 10 finer than the cell's, 1"),
+            (b"2ef59bd352b93ac3 31", "level 31 is not in 0 to 30"),
+        ],
+    );
 }
 
 #[test]
