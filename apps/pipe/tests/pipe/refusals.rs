@@ -1,7 +1,7 @@
 //! What operations refuse, each line in place, in one line; and that nothing at all ends a run.
 
 use crate::run::{complaint, in_place, run};
-use crate::values::CASES;
+use crate::values::cases;
 
 #[test]
 fn numbers_of_columns() {
@@ -165,7 +165,7 @@ fn every_line_is_answered_whatever_it_holds() {
         "1e5", "1.5", "x", "%", "%00", "ffffffffffffffff", "3", "1000000000000000", "99999999999999999999", "wgs84",
         "\u{fc}",
     ];
-    for case in CASES {
+    for case in cases() {
         let columns: Vec<_> = case.line.split(' ').collect();
         let mut lines: Vec<_> = fields.map(|field| vec![field; columns.len()].join(" ")).to_vec();
         for column in 0..columns.len() {
