@@ -21,6 +21,15 @@ fn tiles_fill_the_sphere() {
     }
 }
 
+/// Google's S2, `cell_test.go`: a sixth of the sphere, within 5e-16.
+#[test]
+fn faces_are_sixths_of_the_sphere() {
+    for face in Face::ALL {
+        let error = (Tile::root(face).solid_angle::<f64>(S2Quadratic) - 2.094_395_102_393_195_5).abs();
+        assert!(error <= 5e-16, "{face:?} {error:e}");
+    }
+}
+
 /// Nodes and weights of Gauss and Legendre on [0, 1], five of each: exact to the ninth degree.
 const GAUSS: [(f64, f64); 5] = [
     (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),

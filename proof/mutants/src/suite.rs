@@ -73,8 +73,6 @@ pub fn compile(tree: &Path) -> Result<Vec<Test>, Failure> {
     for message in Message::parse_stream(&*said.stdout) {
         if let Message::CompilerArtifact(artifact) = message?
             && artifact.profile.test
-            // It runs an example, which is not compiled here.
-            && artifact.target.name != "pipe"
             && let Some(program) = artifact.executable
         {
             for name in list(&program, &[])?.difference(&list(&program, &["--ignored"])?) {

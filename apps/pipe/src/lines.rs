@@ -1,25 +1,17 @@
 //! The loop over standard input: which lines count, what a failure does, when to flush.
 
-use std::error::Error;
 use std::fmt::Write as _;
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Write};
 use std::process::ExitCode;
-use std::str::FromStr;
 
-use terrella::Real;
-
-use crate::row::{self, Row};
+use crate::operation::{Answer, Failure};
 
 /// Bytes of input, and of output, at a time: what a pipe holds.
 const BUFFER: usize = 1 << 16;
 
 /// Answers every line of standard input on standard output; gives the exit code.
-pub fn for_each_line<T, R, const N: usize>(operation: impl Fn([T; N]) -> Result<R, Box<dyn Error>>) -> ExitCode
-where
-    T: Real + FromStr,
-    R: Row,
-{
-    match answer(io::stdin().lock(), io::stdout().lock(), operation) {
+pub fn for_each_line(answer: &Answer) -> ExitCode {
+    match all(io::stdin().lock(), io::stdout().lock(), answer) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         // Whoever read has read enough.
@@ -32,15 +24,7 @@ where
 }
 
 /// Answers every line; says whether all could be processed.
-fn answer<T, R, const N: usize>(
-    input: impl Read,
-    mut output: impl Write,
-    operation: impl Fn([T; N]) -> Result<R, Box<dyn Error>>,
-) -> io::Result<bool>
-where
-    T: Real + FromStr,
-    R: Row,
-{
+fn all(input: impl Read, mut output: impl Write, answer: &Answer) -> io::Result<bool> {
     let mut input = BufReader::with_capacity(BUFFER, input);
     let mut line = Vec::new();
     let mut answers = String::with_capacity(2 * BUFFER);
@@ -57,17 +41,17 @@ where
             return Ok(all);
         }
         let text = line.trim_ascii();
-        if text.is_empty() || text.starts_with(b"#") {
+        if text.starts_with(b"#") || text.is_empty() && !answer.to_blank_lines() {
             continue;
         }
-        let written = match row::parse(text).and_then(&operation) {
-            Ok(row) => row.write(&mut answers),
-            Err(why) => {
-                all = false;
-                write!(answers, "error: {why}")
-            }
-        };
-        written.map_err(io::Error::other)?;
+        if let Err(why) = one(text, &mut answers, answer) {
+            all = false;
+            write!(answers, "error: {why}").map_err(io::Error::other)?;
+        }
         answers.push('\n');
     }
+}
+
+fn one(line: &[u8], answers: &mut String, answer: &Answer) -> Result<(), Failure> {
+    answer.append(std::str::from_utf8(line).map_err(|_| "not UTF-8")?, answers)
 }

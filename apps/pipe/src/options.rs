@@ -1,0 +1,177 @@
+//! The options of operations.
+
+use std::error::Error;
+use std::str::FromStr;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use terrella::cube::{CubeMap, CubeProjection, Numbering, Projection};
+use terrella::geodesic::{AnyMethod, Method};
+use terrella::{Ellipsoid, Geodetic, LatLon, Latitude, LocalFrame, NAMED, Shift};
+
+use crate::operation::Failure;
+use crate::read::Number;
+
+/// None at all.
+#[derive(Args)]
+pub struct Nothing {}
+
+/// An ellipsoid.
+#[derive(Args)]
+pub struct Planet {
+    #[arg(long, value_name = "NAME|A,F", default_value = "wgs84", value_parser = crate::ellipsoid::parse, help = planets())]
+    ellipsoid: Ellipsoid<f64>,
+}
+
+impl Planet {
+    /// The ellipsoid, its axis and flattening rounded to the scalar.
+    pub fn ellipsoid<T: Number>(&self) -> Result<Ellipsoid<T>, Failure> {
+        rounded(self.ellipsoid)
+    }
+}
+
+/// An ellipsoid, its axis and flattening rounded to the scalar.
+pub fn rounded<T: Number>(ellipsoid: Ellipsoid<f64>) -> Result<Ellipsoid<T>, Failure> {
+    Ok(Ellipsoid::new(T::of(ellipsoid.a()), T::of(ellipsoid.f()))?)
+}
+
+fn planets() -> String {
+    let names = NAMED.join(", ");
+    format!("The ellipsoid: {names}, or semi-major axis in metres and flattening, as in 6378137,1/298.257223563")
+}
+
+/// A method on an ellipsoid.
+#[derive(Args)]
+pub struct Line {
+    /// How geodesics are computed; methods of the sphere take that of mean radius.
+    #[arg(long, value_name = "NAME", default_value = "karney", value_parser = one_of::<Method>(Method::ALL.iter().map(|m| m.name())))]
+    method: Method,
+
+    #[command(flatten)]
+    planet: Planet,
+}
+
+impl Line {
+    pub fn method<T: Number>(&self) -> Result<AnyMethod<T>, Failure> {
+        Ok(self.method.on(self.planet.ellipsoid()?)?)
+    }
+}
+
+/// A local frame.
+#[derive(Args)]
+pub struct Local {
+    /// The origin in degrees and metres.
+    #[arg(long, value_name = "LAT,LON,H", allow_hyphen_values = true, value_parser = three)]
+    origin: [f64; 3],
+
+    #[command(flatten)]
+    planet: Planet,
+}
+
+impl Local {
+    pub fn frame<T: Number>(&self) -> Result<LocalFrame<T>, Failure> {
+        let [lat, lon, height] = self.origin.map(T::of);
+        let origin = Geodetic::new(LatLon::new(lat, lon)?, height)?;
+        Ok(LocalFrame::new(self.planet.ellipsoid()?, origin))
+    }
+}
+
+fn three(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    let numbers = numbers.ok().and_then(|numbers| numbers.try_into().ok());
+    numbers.ok_or_else(|| "not three numbers with commas between them".to_owned())
+}
+
+/// A projection of the sphere.
+#[derive(Args)]
+pub struct Sphere {
+    /// The projection between sphere and cube.
+    #[arg(long, value_name = "NAME", value_parser = projection())]
+    pub projection: Projection,
+}
+
+/// A projection of the sphere, and other names of its faces.
+#[derive(Args)]
+pub struct Numbered {
+    /// Whose numbers and axes the faces have.
+    #[arg(long, value_name = "NAME", value_parser = numbering())]
+    pub numbering: Numbering,
+
+    #[command(flatten)]
+    pub sphere: Sphere,
+}
+
+/// The projection of cells.
+#[derive(Args)]
+pub struct Cells {
+    /// The projection between sphere and cube.
+    #[arg(long, value_name = "NAME", default_value = "s2-quadratic", value_parser = projection())]
+    pub projection: Projection,
+}
+
+/// A projection of the ellipsoid.
+#[derive(Args)]
+pub struct Map {
+    #[command(flatten)]
+    sphere: Sphere,
+
+    /// The latitude that is taken for that of the sphere.
+    #[arg(long, value_name = "NAME", default_value_t, value_parser = one_of::<Shift>(Shift::ALL.iter().map(|s| s.name())))]
+    shift: Shift,
+
+    #[command(flatten)]
+    planet: Planet,
+}
+
+impl Map {
+    pub fn map<T: Number>(&self) -> Result<CubeMap<T, impl CubeProjection + use<T>>, Failure> {
+        Ok(CubeMap::new(
+            self.planet.ellipsoid()?,
+            self.shift,
+            self.sphere.projection,
+        )?)
+    }
+}
+
+/// From which latitude to which, on what.
+#[derive(Args)]
+pub struct Latitudes {
+    /// The latitude that is read.
+    #[arg(long, value_name = "NAME", value_parser = latitude())]
+    pub from: Latitude,
+
+    /// The latitude that is written.
+    #[arg(long, value_name = "NAME", value_parser = latitude())]
+    pub to: Latitude,
+
+    /// Radians in and out, instead of degrees.
+    #[arg(long)]
+    pub radians: bool,
+
+    #[command(flatten)]
+    pub planet: Planet,
+}
+
+fn latitude() -> impl TypedValueParser<Value = Latitude> {
+    one_of(Latitude::ALL.iter().map(|l| l.name()))
+}
+
+fn projection() -> impl TypedValueParser<Value = Projection> {
+    one_of(Projection::ALL.iter().map(|p| p.name()))
+}
+
+fn numbering() -> impl TypedValueParser<Value = Numbering> {
+    PossibleValuesParser::new(["s2", "opengl", "fits"]).map(|name| match name.as_str() {
+        "s2" => Numbering::S2,
+        "opengl" => Numbering::OpenGl,
+        _ => Numbering::Fits,
+    })
+}
+
+/// Reads one of the names, which help and errors list.
+fn one_of<K>(names: impl Iterator<Item = &'static str>) -> impl TypedValueParser<Value = K>
+where
+    K: FromStr<Err: Error + Send + Sync> + Clone + Send + Sync + 'static,
+{
+    PossibleValuesParser::new(names).try_map(|name| name.parse())
+}
