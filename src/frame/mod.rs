@@ -205,7 +205,8 @@ impl<T: Real> LocalFrame<T> {
         let once_round = either(lon.abs() > T::of(180.0), T::of(360.0).copysign(lon));
         let offset = LongOffset {
             lat: difference(position.lat(), self.origin.lat()),
-            lon: (lon - once_round, lon_lost),
+            // Across ±180° what was lost may be all there is.
+            lon: sum(lon - once_round, lon_lost),
             height: difference(position.height(), self.origin.height()),
         };
         let height = (position.height(), T::ZERO);

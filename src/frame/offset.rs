@@ -50,8 +50,8 @@ pub(super) struct LongOffset<T> {
 impl<T: Real> LocalFrame<T> {
     /// The position that is so far east, north and up of the origin, without the rounding of Earth axes.
     ///
-    /// It is the nearest that the scalar has, but for 10⁻¹⁶ (`f64`), 6·10⁻⁸ (`f32`) of the distance: within
-    /// 10 km on the Earth, 1 pm and 0.2 mm. That nearest one may be 0.8 nm (`f64`), 0.42 m (`f32`) away by
+    /// It is the nearest that the scalar has, but for 10⁻¹⁶ (`f64`), 7·10⁻⁸ (`f32`) of the distance: within
+    /// 10 km on the Earth, 1 pm and 0.25 mm. That nearest one may be 0.8 nm (`f64`), 0.42 m (`f32`) away by
     /// its latitude and twice as far by its longitude; [`enu_to_offset`](Self::enu_to_offset) has not that
     /// rounding.
     ///

@@ -99,7 +99,7 @@ fn ways_back_are_as_accurate_as_claimed() {
         for (measured, claimed) in double.into_iter().zip([3e-16, 3e-16, 1e-16, 1e-12]) {
             assert!(measured <= claimed, "f64 {name}: {measured:e} {claimed:e}");
         }
-        for (measured, claimed) in single.into_iter().zip([1.7e-7, 1.7e-7, 6e-8, 2e-4]) {
+        for (measured, claimed) in single.into_iter().zip([1.7e-7, 1.7e-7, 7e-8, 2.5e-4]) {
             assert!(measured <= claimed, "f32 {name}: {measured:e} {claimed:e}");
         }
     }
@@ -151,6 +151,15 @@ fn special<T: Scalar>() {
     assert!(lat == 0.0 && (lon + 179.910_2).abs() < 1e-3, "{lon}");
     let [_, lon, _] = numbers(0.0, -180.0, 0.0, [-1e4, 0.0, 0.0]);
     assert!((lon - 179.910_2).abs() < 1e-3, "{lon}");
+    // A metre over ±180°, where the difference of single longitudes is all rounding: the curvature is not lost.
+    let frame = LocalFrame::new(Ellipsoid::<T>::wgs84(), geodetic(T::of(0.0), T::of(-180.0), T::of(0.0)));
+    let beside = T::of(f64::from(180.0_f32.next_down()));
+    let seen = frame.geodetic_to_enu(geodetic(T::of(0.0), beside, T::of(0.0)));
+    let (east, up): (f64, f64) = (seen.east.into(), seen.up.into());
+    assert!(
+        (east + 1.698_65).abs() < 1e-4 && (up / (east * east / 12_756_274.0) + 1.0).abs() < 1e-3,
+        "{seen:?}"
+    );
     // navtypes, enu2lla at the date line: 10 m south of (20, 180).
     let [lat, lon, h] = numbers(20.0, 180.0, 0.0, [0.0, -10.0, 0.0]);
     assert!(
@@ -386,7 +395,7 @@ fn single_next_to_double(count: u32, seed: u64) {
     }
     let [offsets, there, beyond, near] = [offsets, there, beyond, near].map(Worst::value);
     println!("offset {offsets:.2e}, there {there:.2e}, beyond the nearest {beyond:.2e}, within 10 km {near:.2e} m");
-    assert!(offsets <= 1.7e-7 && there <= 1e-7 && beyond <= 6e-8 && near <= 2e-4);
+    assert!(offsets <= 1.7e-7 && there <= 1e-7 && beyond <= 7e-8 && near <= 2.5e-4);
 }
 
 /// By how much single precision rounds a number.
