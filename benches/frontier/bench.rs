@@ -77,7 +77,9 @@ impl Bench {
         if !record.key().join(",").contains(&self.only) {
             return;
         }
-        record.error = largest_error(task, pass);
+        // Where its iteration does not end it has no answer; no other method has none.
+        let may_refuse = method == "vincenty";
+        record.error = largest_error(task, pass, may_refuse);
         for (input, set) in &task.inputs {
             let mut room = Set::room(set.len());
             let timing = time(set.len(), self.repetitions, |range| pass(set, &mut room, range));
@@ -96,12 +98,12 @@ fn is_finite<T: Scalar>(value: T) -> bool {
     value.into().is_finite()
 }
 
-/// Over the rows that gave a number; NaN if there is no truth.
-fn largest_error<T: Scalar>(task: &Task<T>, pass: Pass<T>) -> f64 {
+/// Infinite if a row gave no number that must not refuse; NaN if there is no truth.
+fn largest_error<T: Scalar>(task: &Task<T>, pass: Pass<T>, may_refuse: bool) -> f64 {
     let rows = task.truth.len();
     let mut room = Set::room(rows);
     pass(&task.truth, &mut room, 0..rows);
-    let found = (0..rows).filter(|&i| is_finite(room.columns[0][i]));
+    let found = (0..rows).filter(|&i| !may_refuse || is_finite(room.columns[0][i]));
     found.map(|i| (task.error)(i, &room)).fold(f64::NAN, |worst, error| {
         if error.is_nan() {
             f64::INFINITY
