@@ -58,7 +58,8 @@ impl<T: Real> Area<T> {
             Some(omega) => self.beside_meridian(&problem, &arc, omega),
             None => {
                 // Between opposite places over either pole; else over the one in the south, or from a pole.
-                let north = problem.lambda12.cos * arc.alpha1.cos < T::ZERO;
+                let opposite = problem.lambda12.sin == T::ZERO && problem.lambda12.cos < T::ZERO;
+                let north = opposite && arc.alpha1.cos > T::ZERO;
                 self.along_meridian(longitude_difference(from, to), north)
             }
         };
