@@ -53,26 +53,30 @@ impl<T: Real> Area<T> {
 
     /// The length of a geodesic in metres and the area under it.
     pub(super) fn edge(&self, from: LatLon<T>, to: LatLon<T>) -> (T, Split<T>) {
-        let problem = Canonical::new(&self.karney, from, to);
-        let arc = problem.solve(&self.karney);
+        let (line, problem, arc) = self.karney.whole(from, to);
         let Split { angle, rest } = match arc.omega {
             Some(omega) => self.beside_meridian(&problem, &arc, omega),
-            None => self.along_meridian(longitude_difference(from, to)),
+            None => {
+                // Between opposite places over either pole; else over the one in the south, or from a pole.
+                let opposite = problem.lambda12.sin == T::ZERO && problem.lambda12.cos < T::ZERO;
+                let north = opposite && arc.alpha1.cos > T::ZERO;
+                self.along_meridian(longitude_difference(from, to), north)
+            }
         };
         let sign = problem.area_sign();
         let area = Split {
             angle: angle * sign + T::ZERO,
             rest: rest * sign + T::ZERO,
         };
-        (arc.distance + T::ZERO, area)
+        (line.distance, area)
     }
 
-    /// All of the turn is at the pole in the south: a lune, exactly a quarter of the ellipsoid between
-    /// opposite meridians.
-    fn along_meridian(&self, difference: Split<T>) -> Split<T> {
+    /// All of the turn is at a pole, in the south if it is not said to be in the north: a lune, exactly a
+    /// quarter of the ellipsoid between opposite meridians.
+    fn along_meridian(&self, difference: Split<T>, north: bool) -> Split<T> {
         let east = T::ONE.copysign(difference.angle);
         let (angle, rest) = (difference.angle * east, difference.rest * east);
-        let two_circles = T::of(-720.0);
+        let two_circles = if north { T::of(720.0) } else { T::of(-720.0) };
         let part = angle / two_circles;
         // With what the quotient has lost, for lunes round a pole to fill a hemisphere.
         let back = product(part, two_circles);
