@@ -11,7 +11,7 @@ impl Tile {
     /// great circles, as those of [`S2Quadratic`](crate::cube::S2Quadratic) and
     /// [`Tangential`](crate::cube::Tangential) are. Times the square of a radius it is an area on a sphere.
     ///
-    /// Worst error 2·10⁻¹⁶ (`f64`), 2·10⁻⁷ (`f32`, to level 25) times 2^level of the angle, by the rounding
+    /// Worst error 2·10⁻¹⁶ (`f64`), 2.4·10⁻⁷ (`f32`, to level 25) times 2^level of the angle, by the rounding
     /// of the corners; of a face half an ulp.
     ///
     /// ```
