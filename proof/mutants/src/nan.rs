@@ -1,9 +1,10 @@
 //! Whether a NaN among a function's results is noticed: planted in every function that gives numbers, in `f64` and in `f32`, first in one result
 //! of 128, and where no test fails, in one of 8, and in all.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use crate::plant::{self, Function, STEP};
 use crate::survival::{self, Fate};
@@ -12,12 +13,16 @@ use crate::{Failure, add_modules, suite};
 const SCALARS: [&str; 2] = ["f64", "f32"];
 const PARTS: [&str; 3] = ["1 in 128", "1 in 8", "all"];
 
-/// `programs` are the tests to ask: all, if there is none.
-pub fn run(tree: &Path, report: &str, programs: &[String]) -> Result<(), Failure> {
+/// `names` are what names of the tests to ask begin with, the program's first: `accuracy`, `geodesic::karney`. All, if there is none.
+pub fn run(tree: &Path, report: &str, names: &[String]) -> Result<(), Failure> {
     let functions = plant(tree)?;
-    let mut tests = suite::compile(tree)?;
-    tests
-        .retain(|test| programs.is_empty() || programs.iter().any(|name| test.title.starts_with(&format!("{name}::"))));
+    // As the tests are compiled otherwise, so that what they depend on is.
+    let mut cargo = Command::new("cargo");
+    cargo.current_dir(tree);
+    let programs: BTreeSet<&str> = names.iter().filter_map(|name| name.split("::").next()).collect();
+    let mut tests = suite::compile_by(cargo, tree, programs)?;
+    let asked = |title: &str, name: &String| title.starts_with(name.as_str());
+    tests.retain(|test| names.is_empty() || names.iter().any(|name| asked(&test.title, name)));
     let known = survival::known(&tests)?;
 
     // The number of a NaN is its own place: whether it is reached depends on the scalar.

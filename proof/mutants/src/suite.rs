@@ -64,9 +64,21 @@ impl Test {
 
 /// Compiles the tests, but those of documentation, and lists those that are not ignored.
 pub fn compile(tree: &Path) -> Result<Vec<Test>, Failure> {
-    let said = cargo(tree)
-        .args(["test", "--no-run", "--tests", "--message-format", "json"])
-        .env("CARGO_PROFILE_DEV_DEBUG", "0")
+    let mut cargo = cargo(tree);
+    cargo.env("CARGO_PROFILE_DEV_DEBUG", "0");
+    compile_by(cargo, tree, BTreeSet::new())
+}
+
+/// Compiles tests of these programs, or of all.
+pub fn compile_by(mut cargo: Command, tree: &Path, programs: BTreeSet<&str>) -> Result<Vec<Test>, Failure> {
+    let which: Vec<&str> = if programs.is_empty() {
+        vec!["--tests"]
+    } else {
+        programs.into_iter().flat_map(|program| ["--test", program]).collect()
+    };
+    let said = cargo
+        .args(["test", "--no-run", "--message-format", "json"])
+        .args(which)
         .stderr(Stdio::inherit())
         .output()?;
     let mut tests = Vec::new();
