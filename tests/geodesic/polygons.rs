@@ -130,6 +130,16 @@ fn opposite(lon1: f64, lon2: f64) -> bool {
     turn.abs() == 180.0 && lon1 + turn == lon2 && lon2 - turn == lon1
 }
 
+/// Whether an edge joins opposite places: over either pole it is as short, and ours is the line that starts to the
+/// north.
+fn antipodal(corners: &[(f64, f64)]) -> bool {
+    let first = corners.iter().cycle().skip(1);
+    corners
+        .iter()
+        .zip(first)
+        .any(|(&(lat1, lon1), &(lat2, lon2))| lat1 + lat2 == 0.0 && opposite(lon1, lon2))
+}
+
 /// Whether an edge has neighbours as short, whose area is another: nearly antipodal places, not on one circle
 /// of meridians.
 fn ill_conditioned(wgs84: &Theirs, corners: &[(f64, f64)]) -> bool {
@@ -152,6 +162,9 @@ fn worst(seeds: core::ops::Range<u64>, each: u32) -> [f64; 4] {
         let mut worst = [Worst::default(); 4];
         for _ in 0..each {
             let corners = polygon(&mut rng);
+            if antipodal(&corners) {
+                continue;
+            }
             let ([area, around], [their_area, their_around]) = (drawn(&double, &corners), theirs(&wgs84, &corners));
             let error = apart(area, their_area, 1.0);
             let ill = ill_conditioned(&wgs84, &corners);
@@ -169,7 +182,7 @@ fn worst(seeds: core::ops::Range<u64>, each: u32) -> [f64; 4] {
                 .iter()
                 .map(|&(lat, lon)| (f64::from(lat as f32), f64::from(lon as f32)))
                 .collect();
-            if !ill_conditioned(&wgs84, &rounded) {
+            if !ill_conditioned(&wgs84, &rounded) && !antipodal(&rounded) {
                 let ([area, _], [right, _]) = (drawn(&single, &rounded), drawn(&double, &rounded));
                 let error = apart(area, right, 1e8);
                 assert!(
