@@ -121,6 +121,6 @@ fn between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, distance: T) -> Invers
     Inverse {
         distance: select(from.lat() == to.lat(), T::ZERO, distance),
         azimuth1: T::ZERO,
-        azimuth2: (angle + rest) * T::ONE.copysign(to.lat()),
+        azimuth2: (angle + rest) * T::ONE.copysign(to.lat()) + T::ZERO,
     }
 }

@@ -2,7 +2,7 @@
 //! an antipode every line leads.
 
 use geographiclib_rs::{DirectGeodesic, Geodesic as Theirs};
-use terrella::geodesic::{Geodesic, Haversine, Inverse, Karney, Method};
+use terrella::geodesic::{Area, Geodesic, Haversine, Inverse, Karney, Method};
 use terrella::math::sin_cos_degrees;
 use terrella::{Ellipsoid, LatLon};
 use testkit::{Worst, maximum};
@@ -276,4 +276,30 @@ fn the_whole_solution_is_of_that_line() {
     }
     println!("{worst:?}");
     assert!(worst[0] < 2e-8 && worst[1] < 2e-8 && worst[2] < 1e-14);
+}
+
+/// Areas are under the line of the inverse problem, over whichever pole that goes.
+#[test]
+fn areas_are_under_that_line() {
+    let earth = Ellipsoid::<f64>::wgs84();
+    let (karney, area) = (Karney::new(earth).unwrap(), Area::new(earth).unwrap());
+    let mut rng = fastrand::Rng::with_seed(6);
+    let opposite = [30.0, -30.0, 0.0, 1e-13, -60.0, 45.0].map(|lat| [lat, 0.0, -lat, 180.0]);
+    let random: Vec<_> = (0..20_000).map(|_| awkward(&mut rng)).collect();
+    for [lat1, lon1, lat2, lon2] in opposite.into_iter().chain(random) {
+        let (from, to) = (place(lat1, lon1), place(lat2, lon2));
+        // Near a pole the end of a direct line is ill-conditioned; over it the way to the west is not told from that to the east.
+        let polar = lat1.abs() > 60.0 || lat2.abs() > 60.0;
+        if polar || (lon2 - lon1).abs() == 180.0 && lon2 - lon1 != 180.0 {
+            continue;
+        }
+        let whole = karney.solve(from, to);
+        if whole.reduced_length < 0.1 * whole.inverse.distance && lat1 != -lat2 {
+            continue; // where azimuths and areas are ill-conditioned
+        }
+        let line = whole.inverse;
+        let along = area.under_direct(from, line.azimuth1, line.distance).unwrap();
+        let error = (area.under(from, to) - along).abs();
+        assert!(error < 0.5, "{from:?} {to:?}: {error:e} of {along:e}");
+    }
 }

@@ -123,7 +123,7 @@ fn single_precision_keeps_its_claim() {
     }
     let (relative, over) = (relative.value(), over.value());
     println!("{relative:.2e}, {over:.2} m");
-    assert!(relative <= 3.0e-7 && over <= 1.0);
+    assert!(relative <= 4.5e-7 && over <= 1.0);
 }
 
 /// Points along, in the middle and beside great circles, by triangles that are known.
@@ -208,4 +208,62 @@ fn no_number_is_no_distance() {
     }
     check::<f64>();
     check::<f32>();
+}
+
+/// Random pairs do not meet the worst: from hundreds of them each digit is varied, in `f32`, as long as the error grows. 3.0e-7 was claimed.
+#[test]
+fn climbing_finds_no_distance_worse_than_claimed() {
+    let (single, double) = (unit::<f32>(), unit::<f64>());
+    let error = |[lat1, lon1, lat2, lon2]: [f32; 4]| {
+        let found: f64 = single
+            .inverse(place(lat1, lon1), place(lat2, lon2))
+            .unwrap()
+            .distance
+            .into();
+        let [lat1, lon1, lat2, lon2] = [lat1, lon1, lat2, lon2].map(f64::from);
+        let truth = double.inverse(place(lat1, lon1), place(lat2, lon2)).unwrap().distance;
+        if truth == 0.0 {
+            0.0
+        } else {
+            (found - truth).abs() / truth
+        }
+    };
+    let mut rng = fastrand::Rng::with_seed(31);
+    let mut worst = Worst::default();
+    // The worst of a longer search.
+    worst.add(error([81.897_995, 6.705_225, 82.362_51, 69.503_41]));
+    for _ in 0..400 {
+        let apart = 10.0_f32.powf(3.0 * rng.f32() - 2.0);
+        let (lat, lon) = (160.0 * rng.f32() - 80.0, 300.0 * rng.f32() - 150.0);
+        let mut pair = [lat, lon, lat + 0.1 * apart * rng.f32(), lon + apart * rng.f32()];
+        let (mut most, mut step) = (error(pair), apart);
+        for _ in 0..300 {
+            let near = pair.map(|x| if rng.bool() { x + step * (rng.f32() - 0.5) } else { x });
+            if near[0].abs() > 90.0 || near[2].abs() > 90.0 {
+                continue;
+            }
+            let next = error(near);
+            if next >= most {
+                (pair, most) = (near, next);
+            } else {
+                step *= 0.98;
+            }
+        }
+        worst.add(most);
+    }
+    let worst = worst.value();
+    println!("{worst:e}");
+    assert!(worst > 3.0e-7 && worst <= 4.5e-7, "{worst:e}");
+}
+
+/// The worst in `f64` that climbing found, by 40 digits.
+#[test]
+fn the_worst_distance_between_neighbours() {
+    let (from, to) = (
+        place(-59.936_087_046_782_49, -166.647_908_487_836_1),
+        place(-59.936_088_714_410_61, -166.647_848_848_822_46),
+    );
+    let truth = 5.222654418839926e-07;
+    let error = (unit::<f64>().inverse(from, to).unwrap().distance - truth).abs() / truth;
+    assert!((5e-16..=8e-16).contains(&error), "{error:e}");
 }

@@ -480,9 +480,9 @@ fn claim_of<T: Scalar>(method: Method, ellipsoid: Ellipsoid<T>, lat: f64, distan
         }
         Method::GreatCircle => {
             let [length, azimuth, end, per] = if single {
-                [3.0e-7, 3.5e-7, 6.0e-7, 6e-8]
+                [4.5e-7, 3.5e-7, 6.0e-7, 6e-8]
             } else {
-                [5.0e-16, 6.0e-16, 1.1e-15, 1e-16]
+                [8.0e-16, 6.0e-16, 1.1e-15, 1e-16]
             };
             let a = ellipsoid.a().into();
             return Some([length * distance, azimuth * a, end * a + per * distance]);
