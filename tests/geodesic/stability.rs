@@ -283,7 +283,10 @@ fn bodies_of_any_size_have_methods() {
     for (a, f) in [(1e-15, 1.0 / 300.0), (1e15, -1e-3), (1e15, 1e-3)] {
         let ellipsoid = Ellipsoid::new(a, f).unwrap();
         for method in Method::ALL {
-            let method = method.on(ellipsoid).unwrap();
+            let Ok(method) = method.on(ellipsoid) else {
+                assert!(*method == Method::Vincenty && f < 0.0, "{method} {f}");
+                continue;
+            };
             for distance in [1.0, 1e300, f64::MAX] {
                 match method.direct(place(1.0, 2.0), 3.0, distance) {
                     Ok(end) => assert!(
