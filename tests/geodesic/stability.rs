@@ -284,7 +284,7 @@ fn bodies_of_any_size_have_methods() {
         let ellipsoid = Ellipsoid::new(a, f).unwrap();
         for method in Method::ALL {
             let Ok(on) = method.on(ellipsoid) else {
-                assert!(*method == Method::Vincenty && f < 0.0, "{method}");
+                assert!(*method == Method::Vincenty && f < 0.0, "{method} {f}");
                 continue;
             };
             for distance in [1.0, 1e300, f64::MAX] {

@@ -214,17 +214,17 @@ fn near(rng: &mut fastrand::Rng, degrees: f64) -> [f64; 4] {
 
 #[test]
 fn any_two_places() {
-    let [double, single] = right_or_refused(100_000, |rng| {
+    let [double, single] = right_or_refused(50_000, |rng| {
         let ((lat1, lon1), (lat2, lon2)) = (even(rng), even(rng));
         [lat1, lon1, lat2, lon2]
     });
     assert!(double < 5e-5 && single < 5e-5, "{double} {single}");
-    right_or_refused(100_000, awkward);
+    right_or_refused(50_000, awkward);
 }
 
 #[test]
 fn near_the_antipode_it_is_right_or_fails() {
-    let [double, single] = right_or_refused(100_000, |rng| near(rng, 2.0));
+    let [double, single] = right_or_refused(50_000, |rng| near(rng, 2.0));
     assert!(
         (0.07..0.08).contains(&double) && (0.06..0.08).contains(&single),
         "{double} {single}"
