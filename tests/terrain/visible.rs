@@ -282,7 +282,7 @@ impl View {
         let way = way.map(|v| -v * dot(way, self.source).signum());
         // From outside of the planet.
         let nearest = plus(point, -dot(point, way), way);
-        let away = (7e6_f64.powi(2) - dot(nearest, nearest)).max(0.0).sqrt();
+        let away = maximum(7e6_f64.powi(2) - dot(nearest, nearest), 0.0).sqrt();
         [plus(nearest, -away, way), way]
     }
 
@@ -319,7 +319,7 @@ fn first_hit(
             if gap < 1e-3 {
                 return Some(place);
             }
-            (gap / (1.0 + steepest)).max(1e-7 * gone)
+            maximum(gap / (1.0 + steepest), 1e-7 * gone)
         };
         gone += gap;
         if gone > 3e8 {
