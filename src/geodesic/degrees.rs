@@ -104,23 +104,26 @@ pub(super) fn off_pole<T: Real>(cos: T) -> T {
     max(cos, T::pick(1.491_668_146_240_041_3e-154, 8.673_617_4e-19))
 }
 
-/// A line as it is; between poles, where it may be any meridian, the one that starts to the north ([`Geodesic`](super::Geodesic)).
+/// A line as it is; between poles, where it may be any meridian, the one that starts to the north
+/// ([`Geodesic`](super::Geodesic)).
 #[inline(always)]
 pub(super) fn northward_between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, line: Inverse<T>) -> Inverse<T> {
     let right = T::of(90.0);
     if (from.lat().abs() == right) & (to.lat().abs() == right) {
-        return between_poles(from, to, line.distance);
+        return Inverse {
+            distance: select(from.lat() == to.lat(), T::ZERO, line.distance),
+            azimuth1: T::ZERO,
+            azimuth2: azimuth_at_pole(from, to),
+        };
     }
     line
 }
 
+/// Of the line that leaves another pole, or the same, to the north. By itself: a caller who takes the distance alone
+/// does not link it.
 #[cold]
 #[inline(never)]
-fn between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, distance: T) -> Inverse<T> {
+fn azimuth_at_pole<T: Real>(from: LatLon<T>, to: LatLon<T>) -> T {
     let Split { angle, rest } = longitude_difference(from, to);
-    Inverse {
-        distance: select(from.lat() == to.lat(), T::ZERO, distance),
-        azimuth1: T::ZERO,
-        azimuth2: (angle + rest) * T::ONE.copysign(to.lat()) + T::ZERO,
-    }
+    (angle + rest) * T::ONE.copysign(to.lat()) + T::ZERO
 }

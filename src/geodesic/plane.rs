@@ -86,7 +86,9 @@ impl<T: Real> Plane<T> {
 
 impl<T: Real> Geodesic<T> for Plane<T> {
     /// Never an error.
-    #[inline]
+    // Small, it is inlined: who takes the distance alone does not pay for the azimuths.
+    #[cfg_attr(small, inline(always))]
+    #[cfg_attr(not(small), inline)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         Ok(middle::inverse(from, to, |lat| self.scale(lat)))
     }

@@ -230,9 +230,9 @@ impl<T: Real> Canonical<T> {
             arc_between(sigma1, sigma2)
         };
         let lengths = karney.lengths(karney.ellipsoid.n(), sigma, self.node1(sigma1), self.node2(sigma2));
-        let (mut distance, mut reduced) = (lengths.distance, lengths.reduced);
+        let (mut distance, mut reduced, mut scales) = (lengths.distance, lengths.reduced, lengths.scales);
         if sigma < T::of(3.0) * tiny::<T>() {
-            (sigma, distance, reduced) = (T::ZERO, T::ZERO, T::ZERO);
+            (sigma, distance, reduced, scales) = (T::ZERO, T::ZERO, T::ZERO, [T::ONE; 2]);
         } else if sigma < T::EPSILON.sqrt() {
             // m₁₂ = s₁₂(1 − σ²/6 …): the differences of its formula would be all rounding.
             reduced = distance;
@@ -244,7 +244,7 @@ impl<T: Real> Canonical<T> {
             sigma,
             distance: distance * b,
             reduced: reduced * b,
-            scales: lengths.scales,
+            scales,
             alpha1,
             alpha2,
             omega: None,
