@@ -285,7 +285,9 @@ fn frames<T: Scalar>(bytes: &mut Bytes<'_>) {
     let back = frame.offset_to_enu(frame.enu_to_offset(enu).unwrap());
     // Deep in the Earth the way is through Earth axes.
     let deep = target.height() < T::of(-3e6);
-    let allowed = 2.5 * epsilon * if deep { range + 1.3e7 } else { range } + least;
+    let both = claim("LocalFrame::geodetic_to_enu, relative to the distance")[T::CLAIM]
+        + claim("LocalFrame::enu_to_offset, relative to the distance")[T::CLAIM];
+    let allowed = both * if deep { range + 1.3e7 } else { range } + least;
     assert!(
         apart(components(back), components(enu)) <= allowed,
         "{}: {back:?}",
