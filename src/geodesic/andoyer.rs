@@ -48,11 +48,16 @@ impl<T: Real> Andoyer<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        nearly_round(ellipsoid).map(|ellipsoid| Self {
+        nearly_round(ellipsoid).map(Self::within)
+    }
+
+    /// For an ellipsoid known to be nearly round.
+    pub(crate) fn within(ellipsoid: Ellipsoid<T>) -> Self {
+        Self {
             a: ellipsoid.a(),
             f: ellipsoid.f(),
             axes: T::ONE - ellipsoid.f(),
-        })
+        }
     }
 }
 

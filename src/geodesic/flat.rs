@@ -42,10 +42,15 @@ impl<T: Real> Flat<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        nearly_round(ellipsoid).map(|ellipsoid| Self {
+        nearly_round(ellipsoid).map(Self::within)
+    }
+
+    /// For an ellipsoid known to be nearly round.
+    pub(crate) fn within(ellipsoid: Ellipsoid<T>) -> Self {
+        Self {
             a: ellipsoid.a(),
             e2: ellipsoid.e2(),
-        })
+        }
     }
 
     #[inline(always)]

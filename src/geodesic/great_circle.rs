@@ -102,14 +102,17 @@ impl<T: Real> GreatCircle<T> {
     /// # Errors
     /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.
     pub fn new(radius: T) -> Result<Self, InvalidEllipsoid<T>> {
-        Ellipsoid::sphere(radius).map(|_| Self { radius })
+        Ellipsoid::sphere(radius).map(|_| Self::within(radius))
+    }
+
+    /// For a radius known to be one.
+    pub(crate) const fn within(radius: T) -> Self {
+        Self { radius }
     }
 
     /// On the sphere of an ellipsoid's mean radius, which is one wherever the ellipsoid is.
     pub(crate) fn mean(ellipsoid: Ellipsoid<T>) -> Self {
-        Self {
-            radius: ellipsoid.mean_radius(),
-        }
+        Self::within(ellipsoid.mean_radius())
     }
 
     /// The radius in metres.

@@ -79,10 +79,7 @@ impl<T: Real> PlanarArea<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        Ok(Self {
-            ellipsoid: nearly_round(ellipsoid)?,
-            origin: T::ZERO,
-        })
+        nearly_round(ellipsoid).map(|ellipsoid| Self::within(ellipsoid, T::ZERO))
     }
 
     /// For places given as degrees north and east of an origin.
@@ -90,10 +87,12 @@ impl<T: Real> PlanarArea<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
     pub fn local(ellipsoid: Ellipsoid<T>, origin: LatLon<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        Ok(Self {
-            origin: origin.lat(),
-            ..Self::new(ellipsoid)?
-        })
+        nearly_round(ellipsoid).map(|ellipsoid| Self::within(ellipsoid, origin.lat()))
+    }
+
+    /// For an ellipsoid known to be nearly round, and the latitude that those of the places are counted from.
+    pub(crate) const fn within(ellipsoid: Ellipsoid<T>, origin: T) -> Self {
+        Self { ellipsoid, origin }
     }
 
     /// A polygon whose corners are added one by one.

@@ -40,10 +40,7 @@ impl<T: Real> Plane<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
     pub fn new(ellipsoid: Ellipsoid<T>, place: LatLon<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        Ok(Self {
-            middle: place.lat(),
-            ..Self::local(ellipsoid, place)?
-        })
+        nearly_round(ellipsoid).map(|ellipsoid| Self::within(ellipsoid, place.lat(), place.lat()))
     }
 
     /// About a place, for places given as degrees north and east of it.
@@ -51,9 +48,13 @@ impl<T: Real> Plane<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
     pub fn local(ellipsoid: Ellipsoid<T>, place: LatLon<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        let ellipsoid = nearly_round(ellipsoid)?;
+        nearly_round(ellipsoid).map(|ellipsoid| Self::within(ellipsoid, place.lat(), T::ZERO))
+    }
+
+    /// About a latitude that is given as `middle`, on an ellipsoid known to be nearly round.
+    pub(crate) fn within(ellipsoid: Ellipsoid<T>, lat: T, middle: T) -> Self {
         let (half, degree) = (T::of(0.5), T::of(core::f64::consts::PI / 180.0));
-        let (s, c) = sin_cos_degrees(place.lat());
+        let (s, c) = sin_cos_degrees(lat);
         let e2 = ellipsoid.e2();
         let w2 = T::ONE - e2 * s * s;
         // M = a(1 − e²)/W³ and N cos φ, N = a/W, and their derivatives: (N cos φ)′ = −M sin φ, M′ = 3Me² sin φ cos φ/W².
@@ -63,12 +64,12 @@ impl<T: Real> Plane<T> {
         let m1 = m * rise * s * c;
         let m2 = half * m * rise * (c * c - s * s + T::of(5.0) / T::of(3.0) * rise * s * s * c * c);
         let powers = |[p, q, r]: [T; 3]| [p, q * degree, r * degree * degree];
-        Ok(Self {
-            middle: T::ZERO,
+        Self {
+            middle,
             north: powers([m, m1, m2]),
             east: powers([n * c, -m * s, -half * (m * c + m1 * s)]),
             sin: powers([s, c, -half * s]),
-        })
+        }
     }
 
     #[inline(always)]

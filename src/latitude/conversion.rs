@@ -1,6 +1,6 @@
 use core::fmt;
 
-use super::correction::{Correction, Turn};
+use super::correction::{Correction, Turn, supported};
 use super::{Latitude, Shift, UnsupportedFlattening};
 use crate::math::{gudermannian, inverse_gudermannian, sin_cos, sin_cos_degrees};
 use crate::{Ellipsoid, Real};
@@ -51,12 +51,12 @@ impl<T: Real> Conversion<T> {
             to_geodetic: if same {
                 Correction::None
             } else {
-                Correction::to_geodetic(ellipsoid, start)?
+                Correction::to_geodetic(supported(ellipsoid, start)?, start)
             },
             from_geodetic: if same {
                 Correction::None
             } else {
-                Correction::to_shifted(ellipsoid, end)?
+                Correction::to_shifted(supported(ellipsoid, end)?, end)
             },
         })
     }

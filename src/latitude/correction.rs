@@ -143,25 +143,45 @@ impl<T: Real, const SHORT: bool> Turn<T> for Series<T, SHORT> {
     }
 }
 
+/// The ellipsoid, if the formula of a shift holds for it.
+pub(crate) fn supported<T: Real>(
+    ellipsoid: Ellipsoid<T>,
+    shift: Shift,
+) -> Result<Ellipsoid<T>, UnsupportedFlattening<T>> {
+    let f = ellipsoid.f();
+    let holds = match shift {
+        Shift::Geodetic => true,
+        // Beyond it is no small angle, and loses digits.
+        Shift::Geocentric | Shift::Parametric => f >= -T::ONE && f <= T::of(0.5),
+        // 1/19, and room for its rounding.
+        Shift::Authalic | Shift::Conformal | Shift::Rectifying => ellipsoid.n().abs() <= T::of(0.052_632),
+    };
+    if holds {
+        Ok(ellipsoid)
+    } else {
+        Err(UnsupportedFlattening(f))
+    }
+}
+
 impl<T: Real> Correction<T> {
-    /// From the geodetic to the shifted latitude.
-    pub fn to_shifted(ellipsoid: Ellipsoid<T>, shift: Shift) -> Result<Self, UnsupportedFlattening<T>> {
+    /// From the geodetic to the shifted latitude, on an ellipsoid known to be [`supported`].
+    pub fn to_shifted(ellipsoid: Ellipsoid<T>, shift: Shift) -> Self {
         match shift {
-            Shift::Geodetic => Ok(Self::None),
-            Shift::Geocentric => tangent(ellipsoid, geocentric(ellipsoid)),
-            Shift::Parametric => tangent(ellipsoid, ellipsoid.n()),
+            Shift::Geodetic => Self::None,
+            Shift::Geocentric => tangent(geocentric(ellipsoid)),
+            Shift::Parametric => tangent(ellipsoid.n()),
             Shift::Authalic => series(ellipsoid, &series::AUTHALIC),
             Shift::Conformal => series(ellipsoid, &series::CONFORMAL),
             Shift::Rectifying => series(ellipsoid, &series::RECTIFYING),
         }
     }
 
-    /// From the shifted to the geodetic latitude.
-    pub fn to_geodetic(ellipsoid: Ellipsoid<T>, shift: Shift) -> Result<Self, UnsupportedFlattening<T>> {
+    /// From the shifted to the geodetic latitude, on an ellipsoid known to be [`supported`].
+    pub fn to_geodetic(ellipsoid: Ellipsoid<T>, shift: Shift) -> Self {
         match shift {
-            Shift::Geodetic => Ok(Self::None),
-            Shift::Geocentric => tangent(ellipsoid, -geocentric(ellipsoid)),
-            Shift::Parametric => tangent(ellipsoid, -ellipsoid.n()),
+            Shift::Geodetic => Self::None,
+            Shift::Geocentric => tangent(-geocentric(ellipsoid)),
+            Shift::Parametric => tangent(-ellipsoid.n()),
             Shift::Authalic => series(ellipsoid, &series::AUTHALIC_INVERSE),
             Shift::Conformal => series(ellipsoid, &series::CONFORMAL_INVERSE),
             Shift::Rectifying => series(ellipsoid, &series::RECTIFYING_INVERSE),
@@ -226,29 +246,21 @@ fn geocentric<T: Real>(ellipsoid: Ellipsoid<T>) -> T {
     e2 / (T::of(2.0) - e2)
 }
 
-/// The correction of a fixed ratio of tangents. Beyond these flattenings it is no small angle, and loses digits.
-fn tangent<T: Real>(ellipsoid: Ellipsoid<T>, m: T) -> Result<Correction<T>, UnsupportedFlattening<T>> {
-    let f = ellipsoid.f();
-    if f < -T::ONE || f > T::of(0.5) {
-        return Err(UnsupportedFlattening(f));
-    }
-    Ok(if m.abs() <= T::of(0.02) {
+/// The correction of a fixed ratio of tangents.
+fn tangent<T: Real>(m: T) -> Correction<T> {
+    if m.abs() <= T::of(0.02) {
         Correction::Near(Tangent(m))
     } else {
         Correction::Tangent(Tangent(m))
-    })
+    }
 }
 
 /// The coefficients cₖ = nᵏpₖ(n).
 fn series<T: Real, const N: usize, const M: usize>(
     ellipsoid: Ellipsoid<T>,
     table: &crate::math::Polynomial<N, M>,
-) -> Result<Correction<T>, UnsupportedFlattening<T>> {
+) -> Correction<T> {
     let n = ellipsoid.n();
-    // 1/19, and room for its rounding.
-    if n.abs() > T::of(0.052_632) {
-        return Err(UnsupportedFlattening(ellipsoid.f()));
-    }
     let order = T::terms(series::ORDER.0, series::ORDER.1);
     let mut coefficients = [T::ZERO; series::ORDER.0];
     let mut power = T::ONE;
@@ -263,11 +275,11 @@ fn series<T: Real, const N: usize, const M: usize>(
         start += length;
         *coefficient = power * sum;
     }
-    Ok(if n.abs() < T::of(0.0018) {
+    if n.abs() < T::of(0.0018) {
         Correction::Short(Series(coefficients))
     } else {
         Correction::Long(Series(coefficients))
-    })
+    }
 }
 
 /// Σ cₖ sin 2kx by Clenshaw's recurrence.
@@ -306,7 +318,8 @@ mod tests {
             let ellipsoid = Ellipsoid::new(1.0, f).ok();
             for &shift in Shift::ALL {
                 let both = [Correction::to_shifted, Correction::to_geodetic];
-                for correction in both.into_iter().filter_map(|new| new(ellipsoid?, shift).ok()) {
+                let ellipsoid = ellipsoid.and_then(|ellipsoid| supported(ellipsoid, shift).ok());
+                for correction in both.into_iter().filter_map(|new| Some(new(ellipsoid?, shift))) {
                     let (angle, [low, high]) = correction.bounds();
                     let (largest, [least, most]) = sampled(correction);
                     // Past what the difference quotient rounds: no less, and by no more than a part that grows with the flattening.

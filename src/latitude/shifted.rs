@@ -1,4 +1,4 @@
-use super::correction::{Correction, Turn};
+use super::correction::{Correction, Turn, supported};
 use super::{Shift, UnsupportedFlattening};
 use crate::math::{atan2_degrees, max, sin_cos_degrees};
 use crate::{Direction, Dual, Ellipsoid, LatLon, Real};
@@ -26,12 +26,17 @@ impl<T: Real> Shifted<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if the latitude's formula does not hold for this ellipsoid.
     pub fn new(ellipsoid: Ellipsoid<T>, shift: Shift) -> Result<Self, UnsupportedFlattening<T>> {
-        Ok(Self {
+        supported(ellipsoid, shift).map(|ellipsoid| Self::within(ellipsoid, shift))
+    }
+
+    /// For an ellipsoid known to be one that the latitude's formula holds for.
+    pub(crate) fn within(ellipsoid: Ellipsoid<T>, shift: Shift) -> Self {
+        Self {
             ellipsoid,
             shift,
-            forward: Correction::to_shifted(ellipsoid, shift)?,
-            inverse: Correction::to_geodetic(ellipsoid, shift)?,
-        })
+            forward: Correction::to_shifted(ellipsoid, shift),
+            inverse: Correction::to_geodetic(ellipsoid, shift),
+        }
     }
 
     /// The ellipsoid.

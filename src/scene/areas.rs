@@ -3,8 +3,7 @@ use core::marker::PhantomData;
 use super::band::{Band, DEGREE, Parallel, e2, hypot};
 use super::bounds::{middle_rounded, places_rounded, polar_radius, smallest};
 use super::{Bound, Scene, SceneError};
-use crate::geodesic::{Area, PlanarArea};
-use crate::latitude::UnsupportedFlattening;
+use crate::geodesic::{Area, Karney, PlanarArea};
 use crate::{LatLon, Real};
 
 /// The surfaces that areas are taken on, from the cheapest to the dearest.
@@ -68,7 +67,7 @@ impl Scene {
     /// assert_eq!(AREAS.surface(), Surface::Plane);
     /// let corners = [(0.0, 0.0), (0.0, 0.001), (0.001, 0.001), (0.001, 0.0)];
     /// let corners = corners.map(|(north, east)| LatLon::new(north, east).unwrap());
-    /// assert!((AREAS.method()?.area(corners) - 7641.537).abs() < 0.005);
+    /// assert!((AREAS.method().area(corners) - 7641.537).abs() < 0.005);
     /// // Countries, their boundaries to 10 micrometres, no edge shorter than 10 km.
     /// let countries = Scene::new(Ellipsoid::WGS84).latitudes(-60.0, 75.0).between(1e4, 1e7).within(1e-5);
     /// assert_eq!(countries.areas::<f64>()?.surface(), Surface::Ellipsoid);
@@ -175,20 +174,21 @@ impl<T: Real> Areas<T> {
     }
 
     /// The model, ready.
-    ///
-    /// # Errors
-    /// None: what a model could refuse, the scene has refused.
+    #[must_use]
     #[inline(always)]
-    pub fn method(&self) -> Result<AnyArea<T>, UnsupportedFlattening<T>> {
+    pub fn method(&self) -> AnyArea<T> {
         let ellipsoid = self.scene.ellipsoid.rounded();
         match self.surface {
-            Surface::Plane if self.scene.local => {
+            Surface::Plane => {
                 let [south, north] = self.scene.latitudes;
-                let place = LatLon::within(T::of(0.5 * (south + north)), T::ZERO);
-                PlanarArea::local(ellipsoid, place).map(AnyArea::Plane)
+                let origin = if self.scene.local {
+                    T::of(0.5 * (south + north))
+                } else {
+                    T::ZERO
+                };
+                AnyArea::Plane(PlanarArea::within(ellipsoid, origin))
             }
-            Surface::Plane => PlanarArea::new(ellipsoid).map(AnyArea::Plane),
-            Surface::Ellipsoid => Area::new(ellipsoid).map(AnyArea::Ellipsoid),
+            Surface::Ellipsoid => AnyArea::Ellipsoid(Area::within(Karney::within(ellipsoid))),
         }
     }
 }

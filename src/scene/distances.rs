@@ -2,9 +2,8 @@ use core::marker::PhantomData;
 
 use super::bounds::Models;
 use super::{AnyModel, Bound, Model, Scene, SceneError};
+use crate::Real;
 use crate::geodesic::{Andoyer, Flat, GreatCircle, Karney, Plane};
-use crate::latitude::UnsupportedFlattening;
-use crate::{LatLon, Real};
 
 /// A scene's model of distances and azimuths: from [`Scene::distances`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -119,28 +118,24 @@ impl<T: Real> Distances<T> {
     }
 
     /// The model, ready.
-    ///
-    /// # Errors
-    /// None: what a model could refuse, the scene has refused.
+    #[must_use]
     #[inline(always)]
-    pub fn method(&self) -> Result<AnyModel<T>, UnsupportedFlattening<T>> {
+    pub fn method(&self) -> AnyModel<T> {
         let ellipsoid = self.scene.ellipsoid.rounded();
         match self.model {
             Model::Plane => {
                 let [south, north] = self.scene.latitudes;
-                let place = LatLon::within(T::of(0.5 * (south + north)), T::ZERO);
-                let make = if self.scene.local { Plane::local } else { Plane::new };
-                make(ellipsoid, place).map(AnyModel::Plane)
+                let lat = T::of(0.5 * (south + north));
+                let middle = if self.scene.local { T::ZERO } else { lat };
+                AnyModel::Plane(Plane::within(ellipsoid, lat, middle))
             }
-            Model::Flat => Flat::new(ellipsoid).map(AnyModel::Flat),
+            Model::Flat => AnyModel::Flat(Flat::within(ellipsoid)),
             Model::Sphere => {
                 let [radius, _] = self.models().sphere();
-                GreatCircle::new(T::of(radius))
-                    .map(AnyModel::Sphere)
-                    .map_err(|_| UnsupportedFlattening(ellipsoid.f()))
+                AnyModel::Sphere(GreatCircle::within(T::of(radius)))
             }
-            Model::Andoyer => Andoyer::new(ellipsoid).map(AnyModel::Andoyer),
-            Model::Karney => Karney::new(ellipsoid).map(AnyModel::Karney),
+            Model::Andoyer => AnyModel::Andoyer(Andoyer::within(ellipsoid)),
+            Model::Karney => AnyModel::Karney(Karney::within(ellipsoid)),
         }
     }
 }

@@ -1,13 +1,15 @@
 use super::band::{Band, e2, root};
 use super::{Scene, SceneError};
-use crate::latitude::{Shift, Shifted, UnsupportedFlattening};
+use crate::latitude::{Shift, Shifted};
 use crate::{Ellipsoid, Real};
 
-/// What the ground may be taken for: from [`Scene::figure`].
+/// What the ground may be taken for. Only [`Scene::figure`] and [`Scene::figures`] make one, of a scene that they
+/// have checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Figure {
     /// A sphere, its latitudes the geodetic ones.
+    #[non_exhaustive]
     Sphere {
         /// Metres.
         radius: f64,
@@ -15,6 +17,7 @@ pub enum Figure {
         bound: f64,
     },
     /// A sphere, its latitudes the geocentric ones: places stand in their true directions.
+    #[non_exhaustive]
     Shifted {
         /// Metres.
         radius: f64,
@@ -24,7 +27,11 @@ pub enum Figure {
         bound: f64,
     },
     /// The ellipsoid.
-    Ellipsoid(Ellipsoid<f64>),
+    #[non_exhaustive]
+    Ellipsoid {
+        /// The scene's.
+        ellipsoid: Ellipsoid<f64>,
+    },
 }
 
 impl Scene {
@@ -44,14 +51,16 @@ impl Scene {
     /// let figure = |radians| earth.within_pixels(0.5, radians, 1e9).figure();
     /// assert!(matches!(figure(1e-3)?, Figure::Sphere { .. }));
     /// assert!(matches!(figure(2.5e-5)?, Figure::Shifted { .. }));
-    /// assert!(matches!(figure(2.5e-6)?, Figure::Ellipsoid(_)));
+    /// assert!(matches!(figure(2.5e-6)?, Figure::Ellipsoid { .. }));
     /// # Ok::<(), terrella::scene::SceneError>(())
     /// ```
     pub const fn figure(&self) -> Result<Figure, SceneError> {
         match self.figures() {
             Ok([sphere, _]) if sphere.bound() <= self.tolerance => Ok(sphere),
             Ok([_, shifted]) if shifted.bound() <= self.tolerance => Ok(shifted),
-            Ok(_) => Ok(Figure::Ellipsoid(self.ellipsoid)),
+            Ok(_) => Ok(Figure::Ellipsoid {
+                ellipsoid: self.ellipsoid,
+            }),
             Err(error) => Err(error),
         }
     }
@@ -98,7 +107,7 @@ impl Figure {
     pub const fn bound(&self) -> f64 {
         match self {
             Self::Sphere { bound, .. } | Self::Shifted { bound, .. } => *bound,
-            Self::Ellipsoid(_) => 0.0,
+            Self::Ellipsoid { .. } => 0.0,
         }
     }
 
@@ -107,19 +116,17 @@ impl Figure {
     pub fn ground<T: Real>(&self) -> Ellipsoid<T> {
         match self {
             Self::Sphere { radius, .. } | Self::Shifted { radius, .. } => Ellipsoid::within(T::of(*radius), T::ZERO),
-            Self::Ellipsoid(ellipsoid) => ellipsoid.rounded(),
+            Self::Ellipsoid { ellipsoid } => ellipsoid.rounded(),
         }
     }
 
     /// The step from latitude and longitude to the sphere: nothing, the geocentric shift, or that asked for.
-    ///
-    /// # Errors
-    /// None: the scene has refused what a shift could.
-    pub fn shifted<T: Real>(&self, shift: Shift) -> Result<Shifted<T>, UnsupportedFlattening<T>> {
+    #[must_use]
+    pub fn shifted<T: Real>(&self, shift: Shift) -> Shifted<T> {
         match self {
-            Self::Sphere { .. } => Shifted::new(self.ground(), Shift::Geodetic),
-            Self::Shifted { ellipsoid, .. } => Shifted::new(ellipsoid.rounded(), Shift::Geocentric),
-            Self::Ellipsoid(ellipsoid) => Shifted::new(ellipsoid.rounded(), shift),
+            Self::Sphere { .. } => Shifted::within(self.ground(), Shift::Geodetic),
+            Self::Shifted { ellipsoid, .. } => Shifted::within(ellipsoid.rounded(), Shift::Geocentric),
+            Self::Ellipsoid { ellipsoid } => Shifted::within(ellipsoid.rounded(), shift),
         }
     }
 }

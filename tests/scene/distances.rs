@@ -60,7 +60,7 @@ fn hold<T: Real>(local: bool, scenes: usize) {
             if local && bound[0].is_infinite() {
                 continue;
             }
-            let errors = seen(&way.method().unwrap(), &pairs, origin);
+            let errors = seen(&way.method(), &pairs, origin);
             for k in 0..2 {
                 assert!(
                     errors[k] <= bound[k] + truths[k],
@@ -117,7 +117,7 @@ fn destinations_are_within_both_bounds() {
         let truth = TRUTH * drawn.ellipsoid.a() / 6.4e6;
         for model in Model::ALL {
             let way: Distances<f64> = drawn.scene.distances_by(model).unwrap();
-            let method = way.method().unwrap();
+            let method = way.method();
             let bound = way.bound().distance + drawn.far * way.bound().azimuth;
             for ([from, _], there) in (0..8).filter_map(|_| drawn.pair(&karney, false, &mut rng)) {
                 let reached = method.direct(from, there.azimuth1, there.distance).unwrap().position;

@@ -8,12 +8,9 @@ use crate::draw::{Drawn, Tally, median, power, say};
 
 /// A position on the ground that a figure stands for.
 fn on(figure: &Figure, position: Geodetic<f64>) -> [f64; 3] {
-    let direction = figure
-        .shifted::<f64>(Shift::Authalic)
-        .unwrap()
-        .to_direction(position.lat_lon());
+    let direction = figure.shifted::<f64>(Shift::Authalic).to_direction(position.lat_lon());
     match figure {
-        Figure::Ellipsoid(ellipsoid) => ellipsoid.to_ecef(position).to_array(),
+        Figure::Ellipsoid { ellipsoid, .. } => ellipsoid.to_ecef(position).to_array(),
         Figure::Sphere { radius, .. } | Figure::Shifted { radius, .. } => {
             direction.to_array().map(|v| v * (radius + position.height()))
         }

@@ -11,3 +11,4 @@ mod figure;
 mod positions;
 mod refusals;
 mod search;
+mod unchecked;

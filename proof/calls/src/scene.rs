@@ -116,7 +116,7 @@ fn questions<T: Scalar, V: Visitor>(visitor: &mut V) {
         |(scene, index, [from, to])| {
             let model = Model::ALL.get(index).copied().unwrap_or(Model::Plane);
             let way = Scene::distances_by::<T>(&scene, model).ok()?;
-            let method = Distances::method(&way).ok()?;
+            let method = Distances::method(&way);
             Some((method.inverse(from, to), method.direct(from, to.lon(), to.lat())))
         },
     );
@@ -134,7 +134,7 @@ fn questions<T: Scalar, V: Visitor>(visitor: &mut V) {
             let taken = Scene::areas::<T>(&scene).ok().map(|areas| Areas::surface(&areas) as u8);
             let surface = Surface::ALL.get(index).copied().unwrap_or(Surface::Plane);
             let areas = Scene::areas_by::<T>(&scene, surface).ok()?;
-            let method = Areas::method(&areas).ok()?;
+            let method = Areas::method(&areas);
             Some((taken, Areas::bound(&areas), AnyArea::area(&method, [a, b, c])))
         },
     );
@@ -162,10 +162,7 @@ fn questions<T: Scalar, V: Visitor>(visitor: &mut V) {
         |arguments| (scene(arguments), arguments.place::<T>()),
         |(scene, place)| {
             let figures = Scene::figures(&scene).ok()?;
-            let direction = |figure: &Figure| {
-                let shifted = Figure::shifted::<T>(figure, Shift::Authalic).ok()?;
-                Some(shifted.to_direction(place))
-            };
+            let direction = |figure: &Figure| Figure::shifted::<T>(figure, Shift::Authalic).to_direction(place);
             let [sphere, shifted] = &figures;
             Some((direction(sphere), direction(shifted)))
         },

@@ -177,17 +177,17 @@ functions! {
             Ok(way) => way,
             Err(_) => panic!(),
         };
-        Some(WAY.method().ok()?.inverse(*from, *to).ok()?.distance)
+        Some(WAY.method().inverse(*from, *to).ok()?.distance)
     }
     plane_distance_from_place(place: &LatLon<T>, from: &LatLon<T>, to: &LatLon<T>) -> Option<T> {
         Some(Plane::local(Ellipsoid::wgs84(), *place).ok()?.inverse(*from, *to).ok()?.distance)
     }
-    scene_field_area(corners: &[LatLon<T>]) -> Option<T> {
+    scene_field_area(corners: &[LatLon<T>]) -> T {
         const AREAS: Areas<T> = match FIELD.within(0.05).areas() {
             Ok(areas) => areas,
             Err(_) => panic!(),
         };
-        Some(AREAS.method().ok()?.area(corners.iter().copied()))
+        AREAS.method().area(corners.iter().copied())
     }
     planar_area_about_place(place: &LatLon<T>, corners: &[LatLon<T>]) -> Option<T> {
         let mut field = PlanarArea::local(Ellipsoid::wgs84(), *place).ok()?.polygon();
@@ -211,5 +211,5 @@ const FIELD: Scene = Scene::around(Ellipsoid::WGS84, 47.4, 1000.0).local();
 #[unsafe(export_name = "scene_any_distance_f64")]
 pub fn scene_any_distance(scene: &Scene, from: &LatLon<f64>, to: &LatLon<f64>) -> Option<f64> {
     let way: Distances<f64> = scene.distances().ok()?;
-    Some(way.method().ok()?.inverse(*from, *to).ok()?.distance)
+    Some(way.method().inverse(*from, *to).ok()?.distance)
 }

@@ -30,12 +30,16 @@ impl<T: Real> Area<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] outside −1/9 ≤ f ≤ 1/10.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        let karney = Karney::new(ellipsoid)?;
-        Ok(Self {
+        Karney::new(ellipsoid).map(Self::within)
+    }
+
+    /// Under the geodesics of an ellipsoid that is checked with them.
+    pub(crate) fn within(karney: Karney<T>) -> Self {
+        Self {
             karney,
-            series: AreaSeries::new(ellipsoid, &karney.series),
-            c2: ellipsoid.authalic_radius_squared(),
-        })
+            series: AreaSeries::new(karney.ellipsoid, &karney.series),
+            c2: karney.ellipsoid.authalic_radius_squared(),
+        }
     }
 
     /// The area in m² between the geodesic from one place to another and the equator, positive if the

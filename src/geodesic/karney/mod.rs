@@ -92,18 +92,23 @@ impl<T: Real> Karney<T> {
         if ellipsoid.n().abs() > T::of(0.052_632) {
             return Err(UnsupportedFlattening(ellipsoid.f()));
         }
+        Ok(Self::within(ellipsoid))
+    }
+
+    /// For an ellipsoid known to be one that the series hold for.
+    pub(crate) fn within(ellipsoid: Ellipsoid<T>) -> Self {
         let f = ellipsoid.f();
         let half = T::of(0.5);
         let size = max(T::of(0.001), f.abs());
         let narrow = if f > T::ZERO { T::ONE - half * f } else { T::ONE };
         let series = Series::new(ellipsoid);
-        Ok(Self {
+        Self {
             ellipsoid,
             series,
             ordinary: Ordinary::new(ellipsoid, &series),
             axes: T::ONE - f,
             short: T::of(0.1) * T::EPSILON.sqrt() / (half * size * narrow).sqrt(),
-        })
+        }
     }
 
     /// The general way.
