@@ -22,6 +22,7 @@ use terrella::{
 use testkit::{maximum, minimum};
 
 use crate::bytes::Bytes;
+use crate::geodesic::flattenings;
 use crate::law::laws;
 use crate::scalar::{Scalar, same};
 use crate::vector::{cross, excess, length};
@@ -449,7 +450,8 @@ fn names<T: Scalar>(bytes: &mut Bytes<'_>) {
 /// Azimuths, distances and fractions.
 fn lines<T: Scalar>(bytes: &mut Bytes<'_>) {
     let method = bytes.choice(Method::ALL);
-    let ellipsoid = bytes.ellipsoid::<T>(-1.0 / 60.0, 1.0 / 60.0);
+    let [least, most] = flattenings(method);
+    let ellipsoid = bytes.ellipsoid::<T>(least, most);
     let (from, to) = bytes.pair::<T>();
     let (azimuth, distance) = (bytes.anything::<T>(), bytes.anything::<T>());
     let solver = method.on(ellipsoid).unwrap();

@@ -499,15 +499,20 @@ fn claim_of<T: Scalar>(method: Method, ellipsoid: Ellipsoid<T>, lat: f64, distan
     Some([of(0), of(1), of(2) + position])
 }
 
+/// The least and the largest flattening that a method takes.
+pub fn flattenings(method: Method) -> [f64; 2] {
+    if method == Method::Vincenty {
+        [0.0, 1.0 / 293.0]
+    } else {
+        [-1.0 / 60.0, 1.0 / 60.0]
+    }
+}
+
 /// A method's ellipsoid: the sphere for those that know no other, the Earth's for Vincenty's.
 fn method<T: Scalar>(bytes: &mut Bytes<'_>) -> (Method, Ellipsoid<T>) {
     let method = bytes.choice(Method::ALL);
     let spherical = matches!(method, Method::GreatCircle | Method::Haversine);
-    let (least, most) = if method == Method::Vincenty {
-        (0.0, 1.0 / 293.0)
-    } else {
-        (-1.0 / 60.0, 1.0 / 60.0)
-    };
+    let [least, most] = flattenings(method);
     let ellipsoid = bytes.ellipsoid(least, most);
     (
         method,
