@@ -19,7 +19,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 10 km | 1e-6 | 4e-7 |
 /// | 100 km | 1.1e-3 | 6e-4 |
 /// | 150 km | 4e-3 | 3e-3 |
-/// | 1000 km | 5 | 6 |
+/// | 1000 km | 5 | 7 |
 ///
 /// Beyond, it grows with the cube of the distance and faster, up to hundreds of kilometres. `f32` adds 7e-7 of the distance, and 2 m to a position.
 ///

@@ -450,7 +450,7 @@ const BOWRING: &[Claim] = &[
     row(1e4, [1e-6, 4e-7, 1e-6]),
     row(1e5, [1.1e-3, 6e-4, 1.1e-3]),
     row(1.5e5, [4e-3, 3e-3, 4e-3]),
-    row(1e6, [5.0, 6.0, 5.0]),
+    row(1e6, [5.0, 7.0, 5.0]),
 ];
 
 const FLAT: &[(f64, &[Claim])] = &[
@@ -531,7 +531,9 @@ fn open_azimuth<T: Scalar>(from: LatLon<T>, to: LatLon<T>) -> Option<f64> {
     if lat1.abs() == 90.0 && lat2.abs() == 90.0 {
         Some(if lat2 > 0.0 { turn } else { -turn })
     } else {
-        (lat1 == lat2 && (turn == 0.0 || turn.abs() == 360.0)).then_some(0.0)
+        // Not by the difference, which rounds to 360° next to it.
+        let same = lon1 == lon2 || lon1.abs() == 180.0 && lon2.abs() == 180.0;
+        (lat1 == lat2 && same).then_some(0.0)
     }
 }
 
