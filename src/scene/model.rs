@@ -38,9 +38,9 @@ impl Model {
     #[must_use]
     pub const fn instructions(self) -> u32 {
         match self {
-            Self::Plane => 320,
+            Self::Plane => 330,
             Self::Flat => 450,
-            Self::Sphere => 950,
+            Self::Sphere => 990,
             Self::Andoyer => 1000,
             Self::Karney => 1100,
         }
