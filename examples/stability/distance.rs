@@ -127,7 +127,7 @@ pub fn draw(ours: &[Solver], truth: &Truth, per_bin: usize) -> Svg {
         "dashed f32, its places rounded to f32 first",
     );
     svg.polyline(
-        &[[left.x + 490.0, 31.0], [left.x + 542.0, 31.0]],
+        &[[left.x + 540.0, 31.0], [left.x + 592.0, 31.0]],
         "line dashed",
         "#d5dae3",
     );
