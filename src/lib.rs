@@ -45,7 +45,8 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
-// Their registers are wider than the numbers: sums round twice, and the kernels' roundings and remainders are wrong.
+// Their registers are wider than the numbers: sums round twice, and the kernels' roundings and remainders are
+// wrong.
 #[cfg(any(all(target_arch = "x86", not(target_feature = "sse2")), target_arch = "m68k"))]
 compile_error!(
     "terrella needs a processor that rounds each operation to the precision of its numbers: on 32-bit x86 one with SSE2 (i686, not i586), and none of the m68k family"

@@ -220,11 +220,13 @@ fn solve<T: Real, P: Problem<T>, D: Door<T, 4, Error = InvalidProblem<T>>>(
 /// [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse) by [`Karney`](crate::geodesic::Karney) or
 /// [`Vincenty`](crate::geodesic::Vincenty).
 ///
-/// Places that have no straight line of arithmetic, nearly antipodal ones for the most part, are treated one by one.
+/// Places that have no straight line of arithmetic, nearly antipodal ones for the most part, are treated one
+/// by one.
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`LatLon::new`] refuses; nothing is written then. For a pair between
-/// which [`Vincenty`](crate::geodesic::Vincenty) does not converge, too: there the results are NaN, and all others are written.
+/// [`InvalidBatch`] for unequal lengths, and for what [`LatLon::new`] refuses; nothing is written then. For a
+/// pair between which [`Vincenty`](crate::geodesic::Vincenty) does not converge, too: there the results are
+/// NaN, and all others are written.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};

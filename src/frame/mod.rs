@@ -188,8 +188,8 @@ impl<T: Real> LocalFrame<T> {
 
     /// A geodetic position, seen from the origin, without the cancellation of Earth axes: from differences of angles and heights.
     ///
-    /// Worst error 6·10⁻¹⁶ (`f64`), 10⁻⁷ (`f32`) of the distance, at any distance: within 10 km, 5 pm and 0.8 mm. (An `f32`
-    /// latitude has steps of up to 0.4 m; they are the input's own.)
+    /// Worst error 6·10⁻¹⁶ (`f64`), 10⁻⁷ (`f32`) of the distance, at any distance: within 10 km, 5 pm and 0.8
+    /// mm. (An `f32` latitude has steps of up to 0.4 m; they are the input's own.)
     ///
     /// ```
     /// use terrella::{Ellipsoid, Geodetic, LatLon, LocalFrame};

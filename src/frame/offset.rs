@@ -239,8 +239,8 @@ impl<T: Real> LocalFrame<T> {
         let northward = long_difference((north, zero), long_product((s, s_lost), bulge));
         let upward = long_sum((up, zero), long_product((c, c_lost), bulge));
 
-        // Where the point's normal meets the axis, from where the origin's does, e²(N₂ sin φ₂ − N₁ sin φ₁); N₂ − N₁; and
-        // N₂/W², of which the first grows with φ₂ by e²(N₂/W²) cos φ₂.
+        // Where the point's normal meets the axis, from where the origin's does, e²(N₂ sin φ₂ − N₁ sin φ₁);
+        // N₂ − N₁; and N₂/W², of which the first grows with φ₂ by e²(N₂/W²) cos φ₂.
         let axis = |(sin, cos): (T, T)| {
             let rise = c * sin - s * sin * sin / (one + cos);
             let rise = select(cos > zero, rise, c * sin - s * (one - cos));
@@ -250,7 +250,8 @@ impl<T: Real> LocalFrame<T> {
             let growth = n2 * e2 * rise * (s + s2) / (w1 * (w1 + w2));
             (e2 * (n2 * rise + s * growth), growth, n2 / (w2 * w2))
         };
-        // The direction from there to the point is the point's normal: Newton's method for the angle between the two.
+        // The direction from there to the point is the point's normal: Newton's method for the angle between
+        // the two.
         let unit = |(x, y): (T, T)| {
             let length = (x * x + y * y).sqrt();
             (x / length, y / length)

@@ -7,7 +7,8 @@ use crate::{Ellipsoid, LatLon, Real};
 
 /// [`Andoyer`](super::Andoyer) to the second order in the flattening: as far as Thomas' formula goes, by another way.
 ///
-/// One of Newton's steps on the equation of the longitude that [`Vincenty`](super::Vincenty) solves by repetition, and the series to ε²: no iteration, and an answer everywhere.
+/// One of Newton's steps on the equation of the longitude that [`Vincenty`](super::Vincenty) solves by
+/// repetition, and the series to ε²: no iteration, and an answer everywhere.
 ///
 /// Worst error on the Earth at any latitude, in metres:
 ///

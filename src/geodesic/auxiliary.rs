@@ -81,8 +81,8 @@ impl<T: Real> Ends<T> {
         let (apart, _) = latitude_difference(from, to).sin_cos();
         let (together, _) = Split::sum(from.lat(), to.lat()).sin_cos();
         let north = select(far, together, apart) * axes / (divisor1 * divisor2);
-        // Between latitudes exactly opposite λ says nothing of the azimuth: there one is moved by far less than its rounding. Not so
-        // between a pole and itself.
+        // Between latitudes exactly opposite λ says nothing of the azimuth: there one is moved by far less
+        // than its rounding. Not so between a pole and itself.
         let opposite = far & (u1.0 * u2.0 <= T::ZERO);
         let least = select(opposite, T::EPSILON * T::EPSILON, T::ZERO);
         Self {

@@ -119,8 +119,8 @@ pub(super) fn northward_between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, l
     line
 }
 
-/// Of the line that leaves another pole, or the same, to the north. By itself: a caller who takes the distance alone
-/// does not link it.
+/// Of the line that leaves another pole, or the same, to the north. By itself: a caller who takes the
+/// distance alone does not link it.
 #[cold]
 #[inline(never)]
 fn azimuth_at_pole<T: Real>(from: LatLon<T>, to: LatLon<T>) -> T {

@@ -15,8 +15,8 @@ use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// | destination, up to half a circle away | 1.1e-15 rad | 6.0e-7 rad |
 /// | azimuth there × cosine of the latitude | 1.5e-15 rad | 8.0e-7 rad |
 ///
-/// Farther away the destination's error grows by 1e-16 (6e-8) of the distance. As a model of the Earth, whatever the radius, a
-/// sphere is up to 0.56 % off.
+/// Farther away the destination's error grows by 1e-16 (6e-8) of the distance. As a model of the Earth,
+/// whatever the radius, a sphere is up to 0.56 % off.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, GreatCircle};
@@ -86,7 +86,8 @@ impl<T: Real> Delambre<T> {
     pub fn azimuths(&self) -> (T, T) {
         let angle = |(sin, cos): (T, T)| atan2_degrees(sin, cos);
         let (sum, difference) = (angle(self.sum), angle(self.difference));
-        // Between coincident places any sum will do, between antipodes any difference: the line starts to the north.
+        // Between coincident places any sum will do, between antipodes any difference: the line starts to the
+        // north.
         let open = |(sin, cos): (T, T)| (sin == T::ZERO) & (cos == T::ZERO);
         let (sum, difference) = (
             select(open(self.sum), difference, sum),
@@ -205,8 +206,8 @@ impl<T: Real> GreatCircle<T> {
 
     /// How far a place is from the great circle through two others, in metres: positive to the right of the way from start to end.
     ///
-    /// Worst error 2e-15 (`f64`), 1e-6 (`f32`) of the distance from the start to the place, for legs of any length; beyond one radius from the
-    /// start, that part of the radius. On the Earth:
+    /// Worst error 2e-15 (`f64`), 1e-6 (`f32`) of the distance from the start to the place, for legs of any
+    /// length; beyond one radius from the start, that part of the radius. On the Earth:
     ///
     /// | from the start | `f64` | `f32` |
     /// |---|---|---|
@@ -233,7 +234,8 @@ impl<T: Real> GreatCircle<T> {
 
     /// How far from the start, along the great circle to the end, the point nearest to a place is, in metres; negative behind the start.
     ///
-    /// Worst error that of [`cross_track`](Self::cross_track), divided by the cosine of its angle: the cross-track distance in radii.
+    /// Worst error that of [`cross_track`](Self::cross_track), divided by the cosine of its angle: the
+    /// cross-track distance in radii.
     #[must_use]
     pub fn along_track(&self, place: LatLon<T>, start: LatLon<T>, end: LatLon<T>) -> T {
         track(place, start, end).along * self.radius

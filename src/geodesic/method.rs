@@ -47,7 +47,8 @@ macro_rules! methods {
             /// The method on an ellipsoid; those of the sphere take the one of mean radius.
             ///
             /// # Errors
-            /// [`UnsupportedFlattening`] if the method does not hold for this ellipsoid; never for those of the sphere.
+            /// [`UnsupportedFlattening`] if the method does not hold for this ellipsoid; never for those of
+            /// the sphere.
             pub fn on<T: Real>(self, ellipsoid: Ellipsoid<T>) -> Result<AnyMethod<T>, UnsupportedFlattening<T>> {
                 match self {
                     $(

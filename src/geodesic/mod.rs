@@ -36,11 +36,13 @@ pub use vincenty::Vincenty;
 
 /// A method that solves the two problems of geodesy.
 ///
-/// The distance and both azimuths of an [`Inverse`] are those of one line: from the first place along `azimuth1` for `distance` it
-/// leads to the second place, and arrives there with `azimuth2`. Of several shortest lines all three numbers are of the same one.
+/// The distance and both azimuths of an [`Inverse`] are those of one line: from the first place along
+/// `azimuth1` for `distance` it leads to the second place, and arrives there with `azimuth2`. Of several
+/// shortest lines all three numbers are of the same one.
 ///
-/// At a pole an azimuth counts from the meridian of the longitude that is given with the pole. Some pairs of places leave the
-/// azimuths open. There every method has the same rule, and the line starts to the north, with `azimuth1` = 0:
+/// At a pole an azimuth counts from the meridian of the longitude that is given with the pole. Some pairs of
+/// places leave the azimuths open. There every method has the same rule, and the line starts to the north,
+/// with `azimuth1` = 0:
 ///
 /// | places | distance | `azimuth2` |
 /// |---|---|---|
@@ -66,9 +68,9 @@ pub trait Geodesic<T: Real> {
 /// A method that solves its ordinary problems in straight lines of arithmetic, so that a loop over them vectorises:
 /// [`batch::geodesic`](crate::batch::geodesic) is that loop. Sealed.
 pub trait Straight<T: Real>: Geodesic<T> + Send + Sync + sealed::Sealed {
-    /// The inverse problem, and whether the answer is that of [`Geodesic::inverse`], bit for bit. For [`Karney`] not between coincident and
-    /// nearly antipodal places, nor on ellipsoids with |f| > 1/149; for [`Vincenty`] not where it evaluates the longitude more than six (`f32`:
-    /// four) times.
+    /// The inverse problem, and whether the answer is that of [`Geodesic::inverse`], bit for bit. For
+    /// [`Karney`] not between coincident and nearly antipodal places, nor on ellipsoids with |f| > 1/149; for
+    /// [`Vincenty`] not where it evaluates the longitude more than six (`f32`: four) times.
     fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool);
 
     /// The direct problem, and whether the answer is that of [`Geodesic::direct`], bit for bit: not for azimuths beyond ±360°, nor after

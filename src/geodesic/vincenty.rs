@@ -1,8 +1,8 @@
-//! Symbols as in the paper: U reduced latitude, λ longitude on the auxiliary sphere, L on the ellipsoid, α the azimuth at the equator, σ the
-//! arc, σₘ its middle counted from the equator.
+//! Symbols as in the paper: U reduced latitude, λ longitude on the auxiliary sphere, L on the ellipsoid, α
+//! the azimuth at the equator, σ the arc, σₘ its middle counted from the equator.
 //!
-//! The paper divides by cos²α for cos 2σₘ: 0/0 along the equator. Wherever cos 2σₘ stands, a factor cos²α is next to it, so their product is
-//! formed instead, without a division.
+//! The paper divides by cos²α for cos 2σₘ: 0/0 along the equator. Wherever cos 2σₘ stands, a factor cos²α is
+//! next to it, so their product is formed instead, without a division.
 
 use core::f64::consts::{FRAC_PI_4, PI};
 
@@ -25,17 +25,19 @@ fn straight<T: Real>() -> usize {
     T::terms(6, 4)
 }
 
-/// Vincenty's method of 1975, as surveyors' programs have it: to reproduce their figures. [`Karney`](super::Karney) is faster, ten
-/// thousand times as exact, and answers everywhere.
+/// Vincenty's method of 1975, as surveyors' programs have it: to reproduce their figures.
+/// [`Karney`](super::Karney) is faster, ten thousand times as exact, and answers everywhere.
 ///
-/// T. Vincenty, *Direct and inverse solutions of geodesics on the ellipsoid with application of nested equations*, Survey Review 23 (176),
-/// 1975: the nested series in u² and C as printed, and both iterations. The inverse repeats λ ← L + (1 − C) f sin α {…} until λ changes by less
-/// than 3·10⁻¹³ (`f32`: 5·10⁻⁸) of σ; 5 (3) evaluations are usual, and 100 allowed. The direct problem's iteration for σ always converges: four
+/// T. Vincenty, *Direct and inverse solutions of geodesics on the ellipsoid with application of nested
+/// equations*, Survey Review 23 (176), 1975: the nested series in u² and C as printed, and both iterations.
+/// The inverse repeats λ ← L + (1 − C) f sin α {…} until λ changes by less than 3·10⁻¹³ (`f32`: 5·10⁻⁸) of σ;
+/// 5 (3) evaluations are usual, and 100 allowed. The direct problem's iteration for σ always converges: four
 /// evaluations (two) leave rounding.
 ///
-/// **Near the antipode the inverse fails**: where each step is longer than the one before, λ never settles, and the answer is
-/// [`GeodesicError::NotConverged`]. On WGS 84 that is one pair in 45 000 of any two places, 7 in 100 of those within 2° of the antipode and
-/// 73 in 100 within half a degree; no pair that is more than 0.8° short of it. What is answered is the shortest line.
+/// **Near the antipode the inverse fails**: where each step is longer than the one before, λ never settles,
+/// and the answer is [`GeodesicError::NotConverged`]. On WGS 84 that is one pair in 45 000 of any two places,
+/// 7 in 100 of those within 2° of the antipode and 73 in 100 within half a degree; no pair that is more than
+/// 0.8° short of it. What is answered is the shortest line.
 ///
 /// | worst error of what it answers, f ≤ 1/293 | `f64` | `f32` |
 /// |---|---|---|
@@ -44,8 +46,8 @@ fn straight<T: Real>() -> usize {
 /// | position of lines to 20 000 km | 0.1 mm | 7 m |
 /// | position of longer lines, and their azimuth × radius of the parallel | 6e-12 of the length | 3.5e-7 |
 ///
-/// on an ellipsoid of the Earth's size, and in proportion on others. Of two bounds in a field both hold. A distance below 10⁻¹⁴³ m (10⁻¹² m)
-/// may be 0. Between opposite places the line starts to the north.
+/// on an ellipsoid of the Earth's size, and in proportion on others. Of two bounds in a field both hold. A
+/// distance below 10⁻¹⁴³ m (10⁻¹² m) may be 0. Between opposite places the line starts to the north.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, GeodesicError, Vincenty};
@@ -104,8 +106,8 @@ impl<T: Real> Vincenty<T> {
     /// For an ellipsoid of geodesy: those of the Earth have 1/301 ≤ f ≤ 1/293.4.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] unless 0 ≤ f ≤ 1/293: flatter, errors exceed 0.1 mm; along opposite meridians of a prolate ellipsoid the
-    /// iteration finds a line that is not the shortest.
+    /// [`UnsupportedFlattening`] unless 0 ≤ f ≤ 1/293: flatter, errors exceed 0.1 mm; along opposite
+    /// meridians of a prolate ellipsoid the iteration finds a line that is not the shortest.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
         let f = ellipsoid.f();
         // Room for the rounding of 1/293.
@@ -121,7 +123,8 @@ impl<T: Real> Vincenty<T> {
         }
     }
 
-    /// How often the longitude is evaluated between two places, or none if it does not converge: what they cost.
+    /// How often the longitude is evaluated between two places, or none if it does not converge: what they
+    /// cost.
     #[must_use]
     pub fn evaluations(&self, from: LatLon<T>, to: LatLon<T>) -> Option<usize> {
         self.settle(from, to).map(|(_, _, evaluations)| evaluations)
@@ -147,7 +150,8 @@ impl<T: Real> Vincenty<T> {
         (T::ONE + a, self.ep2 * b)
     }
 
-    /// Where the iteration begins, λ = L: what is added to, ω, and its great circle. There ω is λ − L; seen from the antipode, π − λ.
+    /// Where the iteration begins, λ = L: what is added to, ω, and its great circle. There ω is λ − L; seen
+    /// from the antipode, π − λ.
     #[inline(always)]
     fn begin(ends: &mut Ends<T>, far: bool) -> (T, T, Arc<T>) {
         ends.see(far);
@@ -166,10 +170,12 @@ impl<T: Real> Vincenty<T> {
         (next, (next - last).abs() <= T::pick(3e-13, 5e-8) * sigma)
     }
 
-    /// The ends as they are seen, the great circle on which the iteration settles, and after how many evaluations.
+    /// The ends as they are seen, the great circle on which the iteration settles, and after how many
+    /// evaluations.
     ///
-    /// It is that of the shortest line: π − L = ω + f sin α ∫… with ω = π − λ has a right side that grows with ω where f ≥ 0, and has its sign.
-    /// So there is one solution, not beyond λ = π; and λ is as near to it as the last step is short.
+    /// It is that of the shortest line: π − L = ω + f sin α ∫… with ω = π − λ has a right side that grows
+    /// with ω where f ≥ 0, and has its sign. So there is one solution, not beyond λ = π; and λ is as near to
+    /// it as the last step is short.
     #[inline(always)]
     fn settle(&self, from: LatLon<T>, to: LatLon<T>) -> Option<(Ends<T>, Arc<T>, usize)> {
         let mut ends = Ends::new(self.axes, from, to);

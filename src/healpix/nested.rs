@@ -82,7 +82,8 @@ impl Pixel {
         let index = |share: T| (share * across).floor().cast_unsigned().min(last);
         let (zero, half) = (T::ZERO, T::of(0.5));
         let north = height > zero;
-        // Two lines between base pixels cross in the middle of the quarter on the equator; one rises to the east.
+        // Two lines between base pixels cross in the middle of the quarter on the equator; one rises to the
+        // east.
         let slope = half * height;
         let (rising, falling) = (turn + slope, turn - slope);
         let wrapped = |share: T| share + either(share < zero, T::ONE);
@@ -164,8 +165,8 @@ impl Pixel {
         let (x, y) = (gathered(self.number) & last, gathered(self.number >> 1) & last);
         let (zero, one) = (T::ZERO, T::ONE);
         let whole = |number: u32| T::whole(number.into());
-        // From the southern corner, from the northern one, and to the east from the line between the two, over half of
-        // the base pixel's diagonal.
+        // From the southern corner, from the northern one, and to the east from the line between the two,
+        // over half of the base pixel's diagonal.
         let across = T::whole(1 << self.depth);
         let south = (whole(x + y) + (dx + dy)) / across;
         let north = (whole(2 * last - (x + y)) + ((one - dx) + (one - dy))) / across;

@@ -17,8 +17,8 @@ pub fn atan<T: Real>(x: T) -> T {
 
 /// The angle of the point (x, y) from the x axis, in radians, in [−π, π].
 ///
-/// Within 0.85 ulp, for finite numbers of any size. The signs of zero count as in C's `atan2`, and (0, 0) gives 0 or π. Of an infinite
-/// number or a NaN, NaN.
+/// Within 0.85 ulp, for finite numbers of any size. The signs of zero count as in C's `atan2`, and (0, 0)
+/// gives 0 or π. Of an infinite number or a NaN, NaN.
 ///
 /// ```
 /// assert_eq!(terrella::math::atan2(1.0_f64, -1.0), 0.75 * core::f64::consts::PI);

@@ -28,9 +28,10 @@ impl Scene {
     /// | [`Andoyer`] | 1.2 a f² (σ/8 + 1.08x/(π − σ)), 2af if less | 1.2 f² (0.33 + 2.9 (σ/π)²/(π − σ)²) | |
     /// | [`Karney`] | 7·10⁻⁹ m on the Earth | rounding | |
     ///
-    /// and rounding. Of a distance that is 2·10⁻¹⁵ s in `f64`, and for [`Andoyer`] 3 nm more; in `f32` 7·10⁻⁷ s, for [`Karney`] 10⁻⁶ s, at most
-    /// 1.5·10⁻⁷ s + 4 m, 33 m half way round where f > 1/150, and the places' own: half a unit of each latitude and longitude, 1.9 m at
-    /// the equator; about an origin 2⁻²³ of the way to it. Lengths are the Earth's, and in proportion elsewhere. An azimuth is off by 2·10⁻¹⁵ or
+    /// and rounding. Of a distance that is 2·10⁻¹⁵ s in `f64`, and for [`Andoyer`] 3 nm more; in `f32` 7·10⁻⁷
+    /// s, for [`Karney`] 10⁻⁶ s, at most 1.5·10⁻⁷ s + 4 m, 33 m half way round where f > 1/150, and the
+    /// places' own: half a unit of each latitude and longitude, 1.9 m at the equator; about an origin 2⁻²³ of
+    /// the way to it. Lengths are the Earth's, and in proportion elsewhere. An azimuth is off by 2·10⁻¹⁵ or
     /// 10⁻⁶, and by the places' rounding, or 15 nm, over the reduced length.
     ///
     /// The sphere's is a theorem: no curve is longer on the ellipsoid than N/R, or shorter than M/R, times as long as on the sphere. A place

@@ -3,8 +3,8 @@ use super::{Scene, SceneError};
 use crate::latitude::{Shift, Shifted};
 use crate::{Ellipsoid, Real};
 
-/// What the ground may be taken for. Only [`Scene::figure`] and [`Scene::figures`] make one, of a scene that they
-/// have checked.
+/// What the ground may be taken for. Only [`Scene::figure`] and [`Scene::figures`] make one, of a scene that
+/// they have checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Figure {

@@ -13,8 +13,10 @@ pub struct Bound {
 
 /// The models of distances and azimuths, from the cheapest to the dearest.
 ///
-/// [`Haversine`](crate::geodesic::Haversine), [`Bowring`](crate::geodesic::Bowring), [`AndoyerSecond`](crate::geodesic::AndoyerSecond) and [`Vincenty`](crate::geodesic::Vincenty) are not among them: each
-/// takes more instructions than one that is more exact; and Vincenty's does not answer everywhere.
+/// [`Haversine`](crate::geodesic::Haversine), [`Bowring`](crate::geodesic::Bowring),
+/// [`AndoyerSecond`](crate::geodesic::AndoyerSecond) and [`Vincenty`](crate::geodesic::Vincenty) are not
+/// among them: each takes more instructions than one that is more exact; and Vincenty's does not answer
+/// everywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Model {

@@ -5,8 +5,8 @@ use crate::math::{gathered, spread};
 
 /// Hilbert's curve, as S2 draws it through the six faces: each tile of a level shares an edge with the next.
 ///
-/// With S2's faces and axes, so that a tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube has the number of S2's cell
-/// in the same place. Of a place on a line between cells S2 may choose another one than
+/// With S2's faces and axes, so that a tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube has the
+/// number of S2's cell in the same place. Of a place on a line between cells S2 may choose another one than
 /// [`Tile::containing`](super::Tile::containing): [`Key::s2_leaf`](super::Key::s2_leaf) is S2's own.
 ///
 /// Without a table or a loop: what a level does to the ones below is a map of two bits, whether the axes are exchanged and whether they are

@@ -33,8 +33,8 @@ pub(super) mod sealed {
 ///
 /// Three bits of face, then two for each level, then a one, then zeros: the layout of S2's cell ids (Google, `s2cell_id.h`). A tile's
 /// descendants are a range, and so every ancestor's, with which a sorted table or a tree finds them; the tile itself is in the middle of
-/// it. Numbers next to each other are near on the ground, the more so along [`Hilbert`](super::Hilbert)'s curve, with which a
-/// key is the id of S2's cell: [`s2_leaf`](Key::s2_leaf) is that of a direction.
+/// it. Numbers next to each other are near on the ground, the more so along [`Hilbert`](super::Hilbert)'s
+/// curve, with which a key is the id of S2's cell: [`s2_leaf`](Key::s2_leaf) is that of a direction.
 ///
 /// Written and parsed as S2's token: the digits in base 16 without the zeros at the end, fit for the name of a file; of keys of one
 /// level tokens sort as the keys do.

@@ -72,9 +72,9 @@
 //! ```
 //!
 //! Vertices of [`Patches`] with a [`Base`] near the ground are within 0.2 mm of the truth up to 1 km from the
-//! eye and within 3·10⁻⁷ of the distance beyond, and a step of the eye of 1 mm is drawn within 0.25 mm up to 1 km,
-//! over a million random eyes, projections, shifts, named ellipsoids and grounds from −11 to 30 km with slopes of
-//! up to 45°; single precision by itself within 0.65 m and 5.7·10⁻⁴
+//! eye and within 3·10⁻⁷ of the distance beyond, and a step of the eye of 1 mm is drawn within 0.25 mm up to
+//! 1 km, over a million random eyes, projections, shifts, named ellipsoids and grounds from −11 to 30 km with
+//! slopes of up to 45°; single precision by itself within 0.65 m and 5.7·10⁻⁴
 //! (`cargo test --release --test terrain -- --ignored --nocapture a_million_vertices`). Coarse tiles need displacements, fine ones do not: with most projections tiles of level 12 on the Earth are within 1 m of flat, of level 15
 //! within 1 cm, of level 17 within 1 mm ([`Patches::plain_level`] has the table).
 

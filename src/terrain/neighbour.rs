@@ -189,8 +189,9 @@ impl Tile {
         }
     }
 
-    /// The tiles of a coarser level about one corner of this tile's ancestor of that level, which is first: the corner
-    /// that is nearest to this tile. S2's `AppendVertexNeighbors`. None for a level that is not coarser.
+    /// The tiles of a coarser level about one corner of this tile's ancestor of that level, which is first:
+    /// the corner that is nearest to this tile. S2's `AppendVertexNeighbors`. None for a level that is not
+    /// coarser.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};

@@ -68,9 +68,9 @@ impl Tile {
     /// The tile of a level in which a point lies; on the line between two, the one of larger x or y. Exact at either precision.
     ///
     /// These are this crate's axes, and of a place on the edge of two faces
-    /// [`project`](crate::cube::CubeProjection::project) takes the face of y before those of z and x. S2's axes are turned
-    /// on three faces, and S2 takes z before y before x: its own cell of a place on a line between cells is
-    /// [`Key::s2_leaf`](super::Key::s2_leaf).
+    /// [`project`](crate::cube::CubeProjection::project) takes the face of y before those of z and x. S2's
+    /// axes are turned on three faces, and S2 takes z before y before x: its own cell of a place on a line
+    /// between cells is [`Key::s2_leaf`](super::Key::s2_leaf).
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint};

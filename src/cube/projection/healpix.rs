@@ -6,10 +6,10 @@ use crate::{Direction, Real};
 
 /// rHEALPix: HEALPix on a cube, equal-area, side faces for |sin φ| < ⅔ and polar faces of four triangles.
 ///
-/// The arrangement is that of rHEALPix (Gibb, Raichev & Speth 2013; PROJ's `rhealpix`), but with the side faces about the
-/// longitudes 0°, 90°, 180° and 270°, where rHEALPix and standard HEALPix have theirs about 45°, 135°, 225° and 315°: a place
-/// is here where theirs has the place 45° to the east. The pixels of standard HEALPix are diamonds and not tiles of these
-/// faces: they are in [`healpix`](crate::healpix).
+/// The arrangement is that of rHEALPix (Gibb, Raichev & Speth 2013; PROJ's `rhealpix`), but with the side
+/// faces about the longitudes 0°, 90°, 180° and 270°, where rHEALPix and standard HEALPix have theirs about
+/// 45°, 135°, 225° and 315°: a place is here where theirs has the place 45° to the east. The pixels of
+/// standard HEALPix are diamonds and not tiles of these faces: they are in [`healpix`](crate::healpix).
 ///
 /// Górski et al. (2005), arranged as in Dimitrijević, Lambers & Rančić (2016) §4.7; the polar triangles are centred on
 /// longitudes 0°, 90°, 180°, 270°. The side faces are Lambert's cylindrical equal-area projection.

@@ -124,8 +124,8 @@ impl<T: Real> Line<T> {
     /// The point at a distance in metres from the start; a negative distance lies behind it.
     ///
     /// # Errors
-    /// [`GeodesicError::Distance`] if it is not finite; [`GeodesicError::TooFar`] if it is longer than 10⁵ (`f64`) or 100 (`f32`) polar radii
-    /// times the mean of √(1 + k² sin²σ) on the line, A₁.
+    /// [`GeodesicError::Distance`] if it is not finite; [`GeodesicError::TooFar`] if it is longer than 10⁵
+    /// (`f64`) or 100 (`f32`) polar radii times the mean of √(1 + k² sin²σ) on the line, A₁.
     pub fn at(&self, distance: T) -> Result<LinePoint<T>, GeodesicError<T>> {
         self.place(distance).map(|place| place.point)
     }

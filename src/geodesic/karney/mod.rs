@@ -30,12 +30,14 @@ pub use polygon::PolygonArea;
 /// 1e-6 of the distance. For f = 1/10 and −1/150 within 12 nm.
 ///
 /// Both problems of [`Geodesic`] are straight lines of arithmetic where |f| ≤ 1/149: Newton's method for the longitude on the auxiliary sphere,
-/// three evaluations; a few more between some places 150° or more apart. What they leave (coincident places, from pole to pole, azimuths beyond
-/// ±360°, very many circuits), other ellipsoids and [`Line`] take the general way. [`Karney::solve`] and [`Area::under`] are about the line
-/// of [`Geodesic::inverse`]. The direct problem and [`Line`] agree to rounding, not to the bit.
+/// three evaluations; a few more between some places 150° or more apart. What they leave (coincident places,
+/// from pole to pole, azimuths beyond ±360°, very many circuits), other ellipsoids and [`Line`] take the
+/// general way. [`Karney::solve`] and [`Area::under`] are about the line of [`Geodesic::inverse`]. The direct
+/// problem and [`Line`] agree to rounding, not to the bit.
 ///
-/// Between latitudes that are exactly opposite the azimuths are equal, or add up to 180° within a rounding, as the symmetry of the ellipsoid asks; if
-/// two shortest lines mirror each other in the equator, it is the one that starts to the north.
+/// Between latitudes that are exactly opposite the azimuths are equal, or add up to 180° within a rounding,
+/// as the symmetry of the ellipsoid asks; if two shortest lines mirror each other in the equator, it is the
+/// one that starts to the north.
 ///
 /// The general way: series in the third flattening to order 6 on the Earth's ellipsoids and up to 12 beyond them; shorter ones in `f32`; Newton's
 /// method with a bracket, at most 83 steps (`f64`), in practice 2 to 6 but next to the equator where the shortest line leaves it.
@@ -77,8 +79,8 @@ pub struct Solution<T> {
     pub scale12: T,
     /// The geodesic scale M₂₁.
     pub scale21: T,
-    /// How often the longitude was evaluated: mostly 3 (`f32`: 2); in the general way 0 where there is a closed form, along meridian and equator
-    /// and between neighbours.
+    /// How often the longitude was evaluated: mostly 3 (`f32`: 2); in the general way 0 where there is a
+    /// closed form, along meridian and equator and between neighbours.
     pub evaluations: usize,
 }
 
@@ -127,8 +129,8 @@ impl<T: Real> Karney<T> {
         (northward_between_poles(from, to, line), problem, arc)
     }
 
-    /// The line of [`Geodesic::inverse`], the problem that is solved, and all of its solution. Between poles the latter is for the meridian
-    /// of the second place's longitude, which the polygon's edge follows.
+    /// The line of [`Geodesic::inverse`], the problem that is solved, and all of its solution. Between poles
+    /// the latter is for the meridian of the second place's longitude, which the polygon's edge follows.
     fn whole(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, Canonical<T>, Arc<T>) {
         if self.ordinary.exact()
             && let Some(line) = self.ordinary.whole(from, to)
@@ -150,8 +152,8 @@ impl<T: Real> Karney<T> {
         })
     }
 
-    /// The whole solution of the inverse problem: distance and azimuths those of [`Geodesic::inverse`] in every bit, the other lengths of the
-    /// same line.
+    /// The whole solution of the inverse problem: distance and azimuths those of [`Geodesic::inverse`] in
+    /// every bit, the other lengths of the same line.
     #[must_use]
     pub fn solve(&self, from: LatLon<T>, to: LatLon<T>) -> Solution<T> {
         let (inverse, problem, arc) = self.whole(from, to);

@@ -85,8 +85,8 @@ impl<T: Real> Start<T> {
         }
     }
 
-    /// The end of an arc, from its sine and cosine and by what the longitude on the ellipsoid is less than on the sphere, in radians: of many
-    /// circuits if need be.
+    /// The end of an arc, from its sine and cosine and by what the longitude on the ellipsoid is less than on
+    /// the sphere, in radians: of many circuits if need be.
     #[inline(always)]
     pub fn end(&self, (sin, cos): (T, T), shift: T, many: bool) -> Direct<T> {
         let &Self {

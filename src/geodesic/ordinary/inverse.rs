@@ -82,7 +82,8 @@ fn fixed<T: Real>() -> usize {
 const STEPS: usize = 40;
 
 impl<T: Real> Ordinary<T> {
-    /// The inverse problem; not found between places that are all but the same, nor from pole to pole: no others are known.
+    /// The inverse problem; not found between places that are all but the same, nor from pole to pole: no
+    /// others are known.
     #[inline(always)]
     pub fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Option<Inverse<T>> {
         let ends = Ends::new(self.axes, from, to);
@@ -127,8 +128,9 @@ impl<T: Real> Ordinary<T> {
         line.found.then_some(line)
     }
 
-    /// Between latitudes exactly opposite and up to the λ at which its azimuth is 90°, the line leaves the antipode to the north or to the south,
-    /// and ω, then 0, says nothing of the azimuth: there the rise is made far less than its rounding. Beyond, ω is no less than its own.
+    /// Between latitudes exactly opposite and up to the λ at which its azimuth is 90°, the line leaves the
+    /// antipode to the north or to the south, and ω, then 0, says nothing of the azimuth: there the rise is
+    /// made far less than its rounding. Beyond, ω is no less than its own.
     #[inline(always)]
     fn leave_antipode(&self, ends: &mut Ends<T>) {
         if ends.rise.abs() > T::EPSILON {
