@@ -1,9 +1,9 @@
 use terrella::cube::{Corner, CubeMap, Edge, FacePoint, Numbering, Projection};
 use terrella::terrain::{
     self, Adjacent, Along, Around, Base, BoundingSphere, Camera, Curve, Detail, Diagonal, Enclosure, Flatness, Heights,
-    Hilbert, Horizon, InvalidBase, InvalidCamera, InvalidDetail, InvalidHeights, InvalidKey, InvalidNumberedTile, InvalidPatch,
-    InvalidPlace, InvalidTile, InvalidToken, Key, Morton, OrientedBox, Patch, Patches, Selection, Series, Split,
-    Symmetry, Tile, Vertices,
+    Hilbert, Horizon, InvalidBase, InvalidCamera, InvalidDetail, InvalidHeights, InvalidKey, InvalidNumberedTile,
+    InvalidPatch, InvalidPlace, InvalidTile, InvalidToken, Key, Morton, OrientedBox, Patch, Patches, Selection, Series,
+    Split, Symmetry, Tile, Vertices,
 };
 use terrella::{Direction, Ecef, Ellipsoid, Shift, Shifted};
 
@@ -352,7 +352,8 @@ fn bases<V: Visitor>(visitor: &mut V) {
     let draw = |arguments: &mut Arguments| [(); 4].map(|()| 1e4 * arguments.unit::<f64>());
     visitor.function::<f64, _, _>("Base::new", draw, |corners| {
         let level = Base::from(hills::<f64>());
-        [Base::new(corners), Ok(level)].map(|base| base.map(|base| (Base::corners(base), Base::at(base, [1, 3], SAMPLES))))
+        [Base::new(corners), Ok(level)]
+            .map(|base| base.map(|base| (Base::corners(base), Base::at(base, [1, 3], SAMPLES))))
     });
 }
 
@@ -365,7 +366,14 @@ fn patches<V: Visitor>(visitor: &mut V, projection: Projection) {
     let draw = |arguments: &mut Arguments| (tile::<f64>(arguments), base(arguments));
     visitor.visit::<f64, _, _>(name("Patches::fill").calls(32), draw, |(tile, base)| {
         let (mut displacements, mut normals) = (EMPTY, EMPTY);
-        let patch = Patches::fill(&patches, tile, base, SAMPLES, slots(&mut displacements), slots(&mut normals));
+        let patch = Patches::fill(
+            &patches,
+            tile,
+            base,
+            SAMPLES,
+            slots(&mut displacements),
+            slots(&mut normals),
+        );
         (patch, displacements, normals)
     });
     let draw = |arguments: &mut Arguments| {
