@@ -120,6 +120,7 @@ impl<T: Real> LocalFrame<T> {
     ///
     /// Worst error 6·10⁻¹⁶ (`f64`), 1.7·10⁻⁷ (`f32`) of the distance, at any distance: the rounding of the
     /// three numbers, of which that of a longitude's difference near 180°, next to a pole, is the largest.
+    /// Vectors shorter than 10⁻¹⁵⁰ m (10⁻¹⁶ m), whose squares have no digits, are off by no more than that.
     /// Deep points, far ones and other ellipsoids are as in [`enu_to_geodetic`](Self::enu_to_geodetic).
     ///
     /// # Errors
