@@ -1,6 +1,6 @@
 """Seeds for the fuzz targets, from the truth: python3 seeds.py DIRECTORY writes DIRECTORY/TARGET/*.
 
-A seed is the bytes that tests/laws/bytes.rs reads: the law and the scalar, then numbers as any bits.
+A seed is the bytes that tests/properties/bytes.rs reads: the property and the scalar, then numbers as any bits.
 """
 
 import pathlib
@@ -18,25 +18,25 @@ def rows(name):
     return [dict(zip(lines[0], line)) for line in lines[1::EVERY]]
 
 
-def laws(target):
-    text = (ROOT / "tests/laws" / f"{target}.rs").read_text()
-    return re.search(r"laws! \{([\w\s]*)\}", text)[1].split()
+def properties(target):
+    text = (ROOT / "tests/properties" / f"{target}.rs").read_text()
+    return re.search(r"properties! \{([\w\s]*)\}", text)[1].split()
 
 
 class Seeds:
     def __init__(self, directory, target):
         self.directory = pathlib.Path(directory) / target
         self.directory.mkdir(parents=True, exist_ok=True)
-        self.laws = laws(target)
+        self.properties = properties(target)
         self.count = 0
 
-    def add(self, law, parts):
+    def add(self, property, parts):
         """For both scalars: `parts` are small numbers and the texts of any others."""
         for single in (0, 1):
-            bytes_ = bytes([2 * self.laws.index(law) + single])
+            bytes_ = bytes([2 * self.properties.index(property) + single])
             for part in parts:
                 bytes_ += bytes([part]) if isinstance(part, int) else raw(part, single)
-            (self.directory / f"seed-{law}-{self.count:04}").write_bytes(bytes_)
+            (self.directory / f"seed-{property}-{self.count:04}").write_bytes(bytes_)
             self.count += 1
 
 
@@ -110,7 +110,7 @@ def main(directory):
         pair = [0, 0, row["lat1"], row["lon1"], row["lat2"], row["lon2"]]
         seeds.add("inverses", [1, EARTH, 100, 0, 1, *[0] * 8, 0, *pair])
 
-    seeds = Seeds(directory, "doors")
+    seeds = Seeds(directory, "validation")
     for row in rows("kernel_direction"):
         seeds.add("lat_lon", [Any(row["lat"]), 0, Any(row["lon"]), 0])
     for row in rows("kernel_lat_lon"):

@@ -66,6 +66,7 @@ pub mod math;
 mod position;
 mod real;
 pub mod scene;
+mod simd;
 pub mod terrain;
 
 pub use dual::Dual;

@@ -3,7 +3,7 @@
 use terrella::{Geodetic, Real};
 
 #[allow(dead_code)] // shared with the tests
-#[path = "../../tests/laws/double.rs"]
+#[path = "../../tests/properties/double.rs"]
 mod double;
 
 use double::{Double, of, sin_cos_degrees};

@@ -1,5 +1,5 @@
 #![no_main]
 
-use terrella_fuzz::{batch, law};
+use terrella_fuzz::{batch, property};
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| law::run(batch::LAWS, bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| property::run(batch::PROPERTIES, bytes));

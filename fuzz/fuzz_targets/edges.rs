@@ -1,5 +1,5 @@
 #![no_main]
 
-use terrella_fuzz::{edges, law};
+use terrella_fuzz::{edges, property};
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| law::run(edges::LAWS, bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| property::run(edges::PROPERTIES, bytes));

@@ -1,5 +1,5 @@
 #![no_main]
 
-use terrella_fuzz::{geodesic, law};
+use terrella_fuzz::{geodesic, property};
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| law::run(geodesic::LAWS, bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| property::run(geodesic::PROPERTIES, bytes));

@@ -1,5 +1,5 @@
 #![no_main]
 
-use terrella_fuzz::{law, position};
+use terrella_fuzz::{position, property};
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| law::run(position::LAWS, bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| property::run(position::PROPERTIES, bytes));

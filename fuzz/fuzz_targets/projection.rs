@@ -1,5 +1,5 @@
 #![no_main]
 
-use terrella_fuzz::{law, projection};
+use terrella_fuzz::{projection, property};
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| law::run(projection::LAWS, bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| property::run(projection::PROPERTIES, bytes));

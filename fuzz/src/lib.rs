@@ -1,28 +1,26 @@
-//! The laws of `tests/laws`, for the fuzz targets.
+//! The properties of `tests/properties`, for the fuzz targets.
 
-#[path = "../../tests/laws/batch.rs"]
+#[path = "../../tests/properties/batch.rs"]
 pub mod batch;
-#[path = "../../tests/laws/bytes.rs"]
+#[path = "../../tests/properties/bytes.rs"]
 pub mod bytes;
-#[path = "../../tests/laws/doors.rs"]
-pub mod doors;
-#[path = "../../tests/laws/double.rs"]
+#[path = "../../tests/properties/double.rs"]
 pub mod double;
-#[path = "../../tests/laws/edges.rs"]
+#[path = "../../tests/properties/edges.rs"]
 pub mod edges;
-#[path = "../../tests/laws/geodesic.rs"]
+#[path = "../../tests/properties/geodesic.rs"]
 pub mod geodesic;
-#[path = "../../tests/laws/law.rs"]
-pub mod law;
-#[path = "../../tests/laws/nearest.rs"]
+#[path = "../../tests/properties/nearest.rs"]
 mod nearest;
-#[path = "../../tests/laws/position.rs"]
+#[path = "../../tests/properties/position.rs"]
 pub mod position;
-#[path = "../../tests/laws/projection.rs"]
+#[path = "../../tests/properties/projection.rs"]
 pub mod projection;
-#[path = "../../tests/laws/reference.rs"]
+#[path = "../../tests/properties/property.rs"]
+pub mod property;
+#[path = "../../tests/properties/reference.rs"]
 pub mod reference;
-#[path = "../../tests/laws/scalar.rs"]
+#[path = "../../tests/properties/scalar.rs"]
 pub mod scalar;
 #[allow(dead_code)]
 #[path = "../../tests/accuracy/table.rs"]
@@ -30,5 +28,7 @@ mod table;
 #[allow(dead_code)]
 #[path = "../../tests/cube/unfolded.rs"]
 mod unfolded;
-#[path = "../../tests/laws/vector.rs"]
+#[path = "../../tests/properties/validation.rs"]
+pub mod validation;
+#[path = "../../tests/properties/vector.rs"]
 pub mod vector;

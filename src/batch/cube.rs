@@ -1,16 +1,17 @@
 //! Directions to points of the cube's faces and back, by any [`CubeProjection`].
 
 use super::InvalidBatch;
-use super::block::{BLOCK, Door, Kernel, Sink, Source, admit, block, front, store, sweep};
-use super::facing::Facing;
+use super::admit::{Constructor, admit};
+use super::face_mask::FaceMask;
 use super::position::Vectors;
 use crate::cube::{CubeProjection, Face, FacePoint, InvalidFacePoint, ProjectionTask, on_face};
+use crate::simd::{BLOCK, Kernel, Sink, Source, block, front, store, sweep};
 use crate::{Direction, InvalidDirection, Real};
 
 /// Coordinates on a face.
 pub(super) struct Points;
 
-impl<T: Real> Door<T, 2> for Points {
+impl<T: Real> Constructor<T, 2> for Points {
     type Error = InvalidFacePoint<T>;
 
     #[inline(always)]
@@ -28,7 +29,7 @@ struct Project<P>(P);
 impl<T: Real, P: CubeProjection> Kernel<T, 3, 3> for Project<P> {
     #[inline(always)]
     fn apply(&self, [x, y, z]: [T; 3]) -> [T; 3] {
-        let facing = Facing::toward(self.0.is_polar(Direction::within(x, y, z)), [x, y, z]);
+        let facing = FaceMask::toward(self.0.is_polar(Direction::within(x, y, z)), [x, y, z]);
         let number = facing.number();
         let [x, y] = on_face(self.0.forward(Face::of_number(number), facing.to_local([x, y, z])));
         [number, x, y]
@@ -40,7 +41,7 @@ struct Unproject<P>(P);
 impl<T: Real, P: CubeProjection> Kernel<T, 3, 3> for Unproject<P> {
     #[inline(always)]
     fn apply(&self, [number, x, y]: [T; 3]) -> [T; 3] {
-        Facing::of(number).to_earth(self.0.inverse(Face::of_number(number), [x, y]))
+        FaceMask::of(number).to_earth(self.0.inverse(Face::of_number(number), [x, y]))
     }
 }
 

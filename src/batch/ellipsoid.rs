@@ -3,8 +3,9 @@
 use core::fmt;
 
 use super::InvalidBatch;
-use super::block::{BLOCK, Door, Kernel, Sink, admit, front, store, sweep};
+use super::admit::{Constructor, admit};
 use crate::math::select;
+use crate::simd::{BLOCK, Kernel, Sink, front, store, sweep};
 use crate::{Ecef, Ellipsoid, Geodetic, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon, Real};
 
 /// Why a latitude, longitude and height were refused.
@@ -31,7 +32,7 @@ impl<T: fmt::Debug> core::error::Error for InvalidGeodetic<T> {}
 /// Latitudes, longitudes and heights.
 struct Geodetics;
 
-impl<T: Real> Door<T, 3> for Geodetics {
+impl<T: Real> Constructor<T, 3> for Geodetics {
     type Error = InvalidGeodetic<T>;
 
     #[inline(always)]
@@ -49,7 +50,7 @@ impl<T: Real> Door<T, 3> for Geodetics {
 /// Earth-centred coordinates.
 struct Ecefs;
 
-impl<T: Real> Door<T, 3> for Ecefs {
+impl<T: Real> Constructor<T, 3> for Ecefs {
     type Error = InvalidEcef<T>;
 
     #[inline(always)]

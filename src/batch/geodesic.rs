@@ -3,9 +3,10 @@
 use core::fmt;
 
 use super::InvalidBatch;
-use super::block::{BLOCK, Door, Kernel, Sink, admit, front, store, sweep};
+use super::admit::{Constructor, admit};
 use crate::geodesic::{GeodesicError, Straight};
 use crate::math::select;
+use crate::simd::{BLOCK, Kernel, Sink, front, store, sweep};
 use crate::{InvalidLatLon, LatLon, Real};
 
 /// Why an element of a geodesic problem was refused.
@@ -34,7 +35,7 @@ trait Problem<T: Real>: Copy {
     /// In a straight line, and whether that is the answer.
     fn ordinary(&self, input: [T; 4]) -> ([T; 3], bool);
 
-    /// In any case, of numbers that have passed the door.
+    /// In any case, of numbers that have passed the constructor.
     fn solve(&self, input: [T; 4]) -> Result<[T; 3], GeodesicError<T>>;
 }
 
@@ -151,7 +152,7 @@ impl<T: Real, P: Problem<T>> Mended<'_, T, P> {
 /// Two places.
 struct Pairs;
 
-impl<T: Real> Door<T, 4> for Pairs {
+impl<T: Real> Constructor<T, 4> for Pairs {
     type Error = InvalidProblem<T>;
 
     #[inline(always)]
@@ -170,7 +171,7 @@ impl<T: Real> Door<T, 4> for Pairs {
 /// A place, an azimuth and a distance.
 struct Starts<'a, M>(&'a M);
 
-impl<T: Real, M: Straight<T>> Door<T, 4> for Starts<'_, M> {
+impl<T: Real, M: Straight<T>> Constructor<T, 4> for Starts<'_, M> {
     type Error = InvalidProblem<T>;
 
     #[inline(always)]
@@ -187,16 +188,16 @@ impl<T: Real, M: Straight<T>> Door<T, 4> for Starts<'_, M> {
     }
 }
 
-fn solve<T: Real, P: Problem<T>, D: Door<T, 4, Error = InvalidProblem<T>>>(
+fn solve<T: Real, P: Problem<T>, D: Constructor<T, 4, Error = InvalidProblem<T>>>(
     problem: P,
-    door: &D,
+    constructor: &D,
     inputs: [&[T]; 4],
     mut results: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
     let lengths = results.each_ref().map(|column| column.len());
     let mut refused = None;
     let mut index = 0;
-    admit(door, inputs, &lengths, |length, inputs| {
+    admit(constructor, inputs, &lengths, |length, inputs| {
         let mended = Mended {
             problem,
             index,

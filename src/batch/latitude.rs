@@ -3,12 +3,13 @@
 use core::marker::PhantomData;
 
 use super::InvalidBatch;
-use super::block::{CHUNK, Door, Kernel, admit, front, sweep};
+use super::admit::{Constructor, admit};
 use super::position::{corrected_to_direction, corrected_to_lat_lon};
 use crate::latitude::{
     Angle, Conversion, Correction, Degrees, InvalidLatitude, Radians, Turn, conformal, corrected, isometric,
     with_correction,
 };
+use crate::simd::{CHUNK, Kernel, front, sweep};
 use crate::{InvalidDirection, InvalidLatLon, Latitude, Real, Shifted};
 
 /// Geodetic latitudes and longitudes (degrees) to directions: [`Shifted::to_direction`].
@@ -58,7 +59,7 @@ pub fn to_lat_lon<T: Real>(
 /// Latitudes up to a limit.
 struct Latitudes<T>(T);
 
-impl<T: Real> Door<T, 1> for Latitudes<T> {
+impl<T: Real> Constructor<T, 1> for Latitudes<T> {
     type Error = InvalidLatitude<T>;
 
     #[inline(always)]

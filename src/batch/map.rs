@@ -1,12 +1,13 @@
 //! Geodetic latitudes and longitudes to points of the cube's faces and back, through a [`CubeMap`].
 
 use super::InvalidBatch;
-use super::block::{CHUNK, Kernel, admit, front, sweep};
+use super::admit::admit;
 use super::cube::{Faces, Points, project_units, unproject_points};
 use super::position::{Places, turn_to_direction, turn_to_lat_lon};
 use crate::cube::{CubeMap, CubeProjection, Face, InvalidFacePoint, ProjectionTask};
 use crate::latitude::{Turn, with_correction};
 use crate::math::{atan2_degrees, sin_cos_degrees};
+use crate::simd::{CHUNK, Kernel, front, sweep};
 use crate::{InvalidLatLon, Real, Shifted};
 
 /// Geodetic latitudes and longitudes (degrees) to their places on the cube: [`CubeMap::project`].

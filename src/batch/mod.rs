@@ -37,18 +37,14 @@
 
 use core::fmt;
 
-mod block;
+mod admit;
 pub mod cube;
 pub mod ellipsoid;
-mod facing;
+mod face_mask;
 pub mod geodesic;
 pub mod latitude;
 pub mod map;
 pub mod position;
-mod widest;
-
-pub(crate) use block::{BLOCK, CHUNK, Kernel, Sink, front, store, sweep};
-pub(crate) use widest::{Pass, widest};
 
 /// Why a batch was refused; nothing was written.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,15 +1,16 @@
 //! Latitudes and longitudes of the sphere to directions and back.
 
 use super::InvalidBatch;
-use super::block::{Door, Kernel, admit, front, sweep};
+use super::admit::{Constructor, admit};
 use crate::latitude::{Correction, Turn, with_correction};
 use crate::math::{atan2_degrees, sin_cos_degrees};
+use crate::simd::{Kernel, front, sweep};
 use crate::{Direction, InvalidDirection, InvalidLatLon, LatLon, Real};
 
 /// Latitudes and longitudes in degrees.
 pub(super) struct Places;
 
-impl<T: Real> Door<T, 2> for Places {
+impl<T: Real> Constructor<T, 2> for Places {
     type Error = InvalidLatLon<T>;
 
     #[inline(always)]
@@ -25,7 +26,7 @@ impl<T: Real> Door<T, 2> for Places {
 /// Vectors, of unit length or not.
 pub(super) struct Vectors;
 
-impl<T: Real> Door<T, 3> for Vectors {
+impl<T: Real> Constructor<T, 3> for Vectors {
     type Error = InvalidDirection<T>;
 
     #[inline(always)]

@@ -1,10 +1,10 @@
 use super::ground::{direction, jacobian};
 use super::jacobian::is_regular;
 use super::{Ground, Jacobian, Statistic};
-use crate::batch::{BLOCK, Kernel, sweep};
 use crate::cube::{CubeProjection, Face, FacePoint, ProjectionTask};
 use crate::latitude::{Turn, with_correction};
 use crate::math::{max, min};
+use crate::simd::{BLOCK, Kernel, sweep};
 use crate::{Dual, Ellipsoid, Real, Shifted};
 
 /// What is worst and what is usual over any set of places: an accumulator of fixed size.

@@ -3,9 +3,9 @@ use core::fmt;
 use super::bilinear::{blend, mean, weights};
 use super::vector::{along, difference};
 use super::{Base, Tile, Vertices};
-use crate::batch::{CHUNK, Kernel, Sink, front, store, sweep};
 use crate::cube::{Corner, CubeMap, CubeProjection, Edge, FacePoint, ProjectionTask};
 use crate::latitude::{Turn, normal, with_correction};
+use crate::simd::{CHUNK, Kernel, Sink, front, store, sweep};
 use crate::{Direction, Ecef, Ellipsoid, Real, Shifted};
 
 /// The most samples along an edge of a patch.
@@ -327,9 +327,9 @@ struct Narrow<'a>([&'a mut [f32]; 6]);
 
 impl Sink<f64, 6> for Narrow<'_> {
     #[inline(always)]
-    fn store(&mut self, block: &[[f64; crate::batch::BLOCK]; 6]) {
+    fn store(&mut self, block: &[[f64; crate::simd::BLOCK]; 6]) {
         for (column, block) in self.0.iter_mut().zip(block) {
-            let mut rounded = [0.0; crate::batch::BLOCK];
+            let mut rounded = [0.0; crate::simd::BLOCK];
             for (slot, value) in rounded.iter_mut().zip(block) {
                 *slot = narrow(*value);
             }

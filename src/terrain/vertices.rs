@@ -1,8 +1,8 @@
 use super::InvalidPatch;
 use super::bilinear::{blend, weights};
 use super::patch::{Places, samples_and_length};
-use crate::batch::{Kernel, front, sweep};
 use crate::math::min;
+use crate::simd::{Kernel, front, sweep};
 
 /// The corners of a [`Patch`](super::Patch) from a camera, in metres in Earth axes: what single precision needs of a tile for a frame.
 ///

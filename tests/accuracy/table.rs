@@ -47,7 +47,7 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
 ];
 
 /// The projections: the largest error of x and y, and of the direction in radians, in `f64` and in `f32`; more than a search
-/// found (`tests/laws/projection.rs`; forward, and for two of them back, in `f32` alone: `f64` in proportion), and than any row of the truth.
+/// found (`tests/properties/projection.rs`; forward, and for two of them back, in `f32` alone: `f64` in proportion), and than any row of the truth.
 #[rustfmt::skip]
 const PROJECTIONS: &[(Projection, [f64; 2], [f64; 2])] = &[
     (Projection::Tangential,        [1.2e-16, 6.0e-8], [2.7e-16, 1.5e-7]),

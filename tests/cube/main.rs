@@ -11,7 +11,7 @@ mod places;
 mod range;
 mod sample;
 #[allow(dead_code)] // shared
-#[path = "../laws/scalar.rs"]
+#[path = "../properties/scalar.rs"]
 mod scalar;
 mod symmetry;
 mod unfolded;

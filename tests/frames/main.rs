@@ -9,7 +9,7 @@ mod local;
 mod nearest;
 mod offset;
 mod round_trip;
-#[path = "../laws/nearest.rs"]
+#[path = "../properties/nearest.rs"]
 mod search;
 #[path = "../accuracy/table.rs"]
 #[allow(dead_code)] // other tests use the rest of it

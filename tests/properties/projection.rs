@@ -6,13 +6,13 @@ use terrella::{Direction, Real, Shift};
 use testkit::maximum;
 
 use crate::bytes::Bytes;
-use crate::law::laws;
+use crate::property::properties;
 use crate::scalar::{Scalar, same, ulps};
 use crate::table::{claim, claims_of};
 use crate::vector::{angle, apart, excess};
 use crate::{reference, vector};
 
-laws! { forward inverse round_trip forward_is_true inverse_is_true symmetries ellipsoid grows }
+properties! { forward inverse round_trip forward_is_true inverse_is_true symmetries ellipsoid grows }
 
 /// How far, in radians, a direction moves at most while x and y move by 1 each.
 const STEP: f64 = 1.8;

@@ -8,13 +8,13 @@ use testkit::maximum;
 
 use crate::bytes::Bytes;
 use crate::double::{Double, of, sin_cos_degrees};
-use crate::law::laws;
 use crate::nearest::searched;
+use crate::property::properties;
 use crate::scalar::{Scalar, steps};
 use crate::table::claim;
 use crate::vector::{apart, excess, length};
 
-laws! { to_direction to_lat_lon to_ecef to_geodetic nearest frames pointing latitudes_close latitudes_grow latitudes_are_true }
+properties! { to_direction to_lat_lon to_ecef to_geodetic nearest frames pointing latitudes_close latitudes_grow latitudes_are_true }
 
 /// |computed − exact| of vectors.
 fn miss<T: Scalar>(computed: [T; 3], exact: [Double; 3]) -> f64 {

@@ -7,12 +7,12 @@ use terrella::{Ellipsoid, LatLon};
 use testkit::{maximum, minimum};
 
 use crate::bytes::Bytes;
-use crate::law::laws;
+use crate::property::properties;
 use crate::scalar::{Scalar, same};
 use crate::table::claim;
 use crate::vector::{self, length};
 
-laws! { inverse direct lengths area polygon methods_inverse methods_direct swapped_and_mirrored triangle }
+properties! { inverse direct lengths area polygon methods_inverse methods_direct swapped_and_mirrored triangle }
 
 /// The flattenings that [`Karney`] takes.
 const FLATTENINGS: (f64, f64) = (-1.0 / 9.0, 0.1);

@@ -5,14 +5,14 @@ use proptest::test_runner::{Config, FileFailurePersistence, RngAlgorithm, TestRn
 
 use crate::bytes::Bytes;
 
-/// How many inputs of a law are tried.
+/// How many inputs of a property are tried.
 const CASES: u32 = 4000;
 
 /// Bytes that failed are written here, and tried first ever after.
-const REGRESSIONS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/laws/regressions.txt");
+const REGRESSIONS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/properties/regressions.txt");
 
-/// Asserts a law on many bytes, the same at every run: what is new is for the fuzzer to find.
-pub fn holds(law: fn(&mut Bytes<'_>)) {
+/// Asserts a property on many bytes, the same at every run: what is new is for the fuzzer to find.
+pub fn holds(property: fn(&mut Bytes<'_>)) {
     let config = Config {
         cases: CASES,
         failure_persistence: Some(Box::new(FileFailurePersistence::Direct(REGRESSIONS))),
@@ -21,7 +21,7 @@ pub fn holds(law: fn(&mut Bytes<'_>)) {
     let bytes = proptest::collection::vec(any::<u8>(), 96);
     let judged =
         TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha)).run(&bytes, |bytes| {
-            law(&mut Bytes::new(&bytes));
+            property(&mut Bytes::new(&bytes));
             Ok(())
         });
     if let Err(failure) = judged {

@@ -23,11 +23,11 @@ use testkit::{maximum, minimum};
 
 use crate::bytes::Bytes;
 use crate::geodesic::flattenings;
-use crate::law::laws;
+use crate::property::properties;
 use crate::scalar::{Scalar, same};
 use crate::vector::{cross, excess, length};
 
-laws! {
+properties! {
     lat_lon direction near_unit face_point numbered geodetic ellipsoid flattening latitude names lines beyond_lat_lon
     beyond_direction beyond_face_point
 }

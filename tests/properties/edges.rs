@@ -5,11 +5,11 @@ use terrella::cube::{CubeProjection, Edge, FacePoint, Projection};
 use testkit::{Worst, maximum};
 
 use crate::bytes::Bytes;
-use crate::law::laws;
+use crate::property::properties;
 use crate::scalar::{Scalar, steps, ulps};
 use crate::unfolded::{beyond, on_edge};
 
-laws! { seam step }
+properties! { seam step }
 
 /// A point some ulps inside an edge and one some ulps inside the neighbour's are as many ulps apart on the sphere; on the edge
 /// itself they are one.

@@ -4,7 +4,7 @@ use crate::math::select;
 /// Where a face looks, told by comparisons of numbers as wide as the coordinates: what hangs on it is chosen by masks, many points at a
 /// time, where [`Face::to_local`](crate::cube::Face::to_local) looks it up.
 #[derive(Clone, Copy)]
-pub(super) struct Facing<T> {
+pub(super) struct FaceMask<T> {
     /// Top or bottom.
     polar: bool,
     /// Right or left.
@@ -13,7 +13,7 @@ pub(super) struct Facing<T> {
     sign: T,
 }
 
-impl<T: Real> Facing<T> {
+impl<T: Real> FaceMask<T> {
     /// Toward a direction, on a polar face or on a side.
     #[inline(always)]
     pub(super) fn toward(polar: bool, [x, y, z]: [T; 3]) -> Self {

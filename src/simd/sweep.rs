@@ -1,12 +1,15 @@
-//! The loop that every batch runs: block by block, so that short and odd lengths take the same code.
+//! The loop over slices: block by block, so that short and odd lengths take the same code.
 
 use core::mem::take;
 
-use super::{InvalidBatch, Pass, same_length, widest};
+use super::dispatch::{Pass, dispatch};
 use crate::Real;
 
 /// Elements that are worked on together: enough to fill the widest vector several times, few enough for a small stack.
 pub(crate) const BLOCK: usize = 64;
+
+/// Elements that go through buffers together.
+pub(crate) const CHUNK: usize = 4 * BLOCK;
 
 /// A function of one element, a straight line from `I` numbers to `O` numbers; [`apply`](Self::apply) is `#[inline(always)]`.
 pub(crate) trait Kernel<T, const I: usize, const O: usize> {
@@ -107,7 +110,7 @@ pub(crate) struct Sweep<K, S, D, T, const I: usize, const O: usize> {
 
 /// One of each column of a block. Columns side by side have no iterator; i is below [`BLOCK`], and compiled for size it is not seen that it is.
 #[inline(always)]
-fn element<T: Real, const I: usize>(block: [&[T; BLOCK]; I], i: usize) -> [T; I] {
+pub(crate) fn element<T: Real, const I: usize>(block: [&[T; BLOCK]; I], i: usize) -> [T; I] {
     block.map(|column| column.get(i).copied().unwrap_or_default())
 }
 
@@ -120,7 +123,7 @@ where
     S: Source<'s, T, I>,
     D: Sink<T, O>,
 {
-    widest(Sweep::<K, S, D, T, I, O> {
+    dispatch(Sweep::<K, S, D, T, I, O> {
         kernel,
         source,
         sink,
@@ -154,99 +157,6 @@ where
             self.sink.store(&results);
         }
     }
-}
-
-/// What the elements of a batch are, and the constructor that lets them in.
-pub(crate) trait Door<T, const I: usize> {
-    /// What the constructor refuses with.
-    type Error;
-
-    /// Whether the constructor keeps the numbers as they are; `#[inline(always)]`, without a branch.
-    fn keeps(&self, input: [T; I]) -> bool;
-
-    /// The numbers as the constructor keeps them.
-    fn admit(&self, input: [T; I]) -> Result<[T; I], Self::Error>;
-}
-
-/// Whether a door keeps all numbers as they are.
-struct Check<'s, D, T, const I: usize> {
-    door: &'s D,
-    columns: [&'s [T]; I],
-}
-
-impl<T: Real, D: Door<T, I>, const I: usize> Pass for Check<'_, D, T, I> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn run(mut self) -> bool {
-        let [first, ..] = self.columns.as_slice() else {
-            return true;
-        };
-        let blocks = first.len() / BLOCK;
-        let mut spare = [[T::ZERO; BLOCK]; I];
-        let mut all = true;
-        for _ in 0..blocks {
-            let block = self.columns.next(&mut spare);
-            let mut these = true;
-            for i in 0..BLOCK {
-                these &= self.door.keeps(element(block, i));
-            }
-            all &= these;
-        }
-        let rest = self.columns.iter().fold(BLOCK, |n, column| n.min(column.len()));
-        for i in 0..rest {
-            let element = self.columns.map(|column| column.get(i).copied().unwrap_or_default());
-            all &= self.door.keeps(element);
-        }
-        all
-    }
-}
-
-/// Elements that go through buffers together.
-pub(crate) const CHUNK: usize = 4 * BLOCK;
-
-/// Lets the columns in by the door, then does the work on them as the constructor keeps them: all at once if it changes nothing,
-/// else in parts of the length given.
-///
-/// # Errors
-/// [`InvalidBatch`], before any work, for unequal lengths (`others` are those of the results) and for what the door refuses.
-pub(crate) fn admit<T: Real, D: Door<T, I>, const I: usize>(
-    door: &D,
-    columns: [&[T]; I],
-    others: &[usize],
-    mut work: impl FnMut(usize, [&[T]; I]),
-) -> Result<(), InvalidBatch<D::Error>> {
-    let length = columns.first().map_or(0, |column| column.len());
-    same_length(length, &columns.map(<[T]>::len))?;
-    same_length(length, others)?;
-    if widest(Check { door, columns }) {
-        work(length, columns);
-        return Ok(());
-    }
-    let element = |index: usize| columns.map(|column| column.get(index).copied().unwrap_or_default());
-    for index in 0..length {
-        door.admit(element(index))
-            .map_err(|why| InvalidBatch::Element { index, why })?;
-    }
-    let mut mended = [[T::ZERO; CHUNK]; I];
-    let mut index = 0;
-    while index < length {
-        let here = CHUNK.min(length - index);
-        for slot in 0..here {
-            let numbers = door.admit(element(index + slot)).unwrap_or([T::ZERO; I]);
-            for (column, value) in mended.iter_mut().zip(numbers) {
-                if let Some(place) = column.get_mut(slot) {
-                    *place = value;
-                }
-            }
-        }
-        work(
-            here,
-            mended.each_ref().map(|column| column.get(..here).unwrap_or_default()),
-        );
-        index += here;
-    }
-    Ok(())
 }
 
 /// The first elements of each slice, which goes past them.

@@ -2,7 +2,7 @@
 //! instructions and bytes of stack, linked to see that nothing panics.
 //!
 //! A program is a [`Visitor`]; [`every`] shows it the functions, first in `f64`, then in `f32`. Functions are written with their type's
-//! name (`Karney::solve(&karney, …)`), so that `proof/complete` can tell from the documentation that none is missing.
+//! name (`Karney::solve(&karney, …)`), so that `audit/complete` can tell from the documentation that none is missing.
 
 #![no_std]
 

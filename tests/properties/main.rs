@@ -6,16 +6,15 @@
 mod areas;
 mod batch;
 mod bytes;
-mod doors;
 mod double;
 mod edges;
 mod geodesic;
 mod harness;
-#[allow(dead_code)] // the fuzzer's part
-mod law;
 mod nearest;
 mod position;
 mod projection;
+#[allow(dead_code)] // the fuzzer's part
+mod property;
 mod reference;
 mod scalar;
 #[allow(dead_code)] // shared
@@ -27,4 +26,5 @@ mod truth;
 #[allow(dead_code)] // shared
 #[path = "../cube/unfolded.rs"]
 mod unfolded;
+mod validation;
 mod vector;

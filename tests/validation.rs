@@ -11,7 +11,7 @@ use std::fmt::{Debug, Display};
 use std::str::FromStr;
 
 #[allow(dead_code)] // shared
-#[path = "laws/scalar.rs"]
+#[path = "properties/scalar.rs"]
 mod scalar;
 
 use scalar::{Scalar, same};

@@ -15,7 +15,7 @@ pub(crate) trait Pass {
 
 /// Runs a pass with the widest instructions that this machine has.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
-pub(crate) fn widest<P: Pass>(pass: P) -> P::Output {
+pub(crate) fn dispatch<P: Pass>(pass: P) -> P::Output {
     if std::is_x86_feature_detected!("avx512f")
         && std::is_x86_feature_detected!("avx512bw")
         && std::is_x86_feature_detected!("avx512dq")
@@ -33,7 +33,7 @@ pub(crate) fn widest<P: Pass>(pass: P) -> P::Output {
 
 /// Runs a pass with the instructions that the crate is compiled for.
 #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
-pub(crate) fn widest<P: Pass>(pass: P) -> P::Output {
+pub(crate) fn dispatch<P: Pass>(pass: P) -> P::Output {
     pass.run()
 }
 

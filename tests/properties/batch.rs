@@ -9,10 +9,10 @@ use terrella::latitude::Conversion;
 use terrella::{Direction, Ecef, Geodetic, LatLon, Latitude, Real, Shift, Shifted};
 
 use crate::bytes::Bytes;
-use crate::law::laws;
+use crate::property::properties;
 use crate::scalar::{Scalar, same};
 
-laws! { positions latitudes points projections maps inverses directs }
+properties! { positions latitudes points projections maps inverses directs }
 
 /// What stands where nothing was written.
 const MARK: f64 = 7.0;
