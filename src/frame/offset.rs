@@ -91,7 +91,9 @@ impl<T: Real> LocalFrame<T> {
         let half_circle = T::of(180.0);
         // Exact: the two are within a factor of two of each other.
         let once_round = either(lon.abs() > half_circle, T::of(360.0).copysign(lon));
-        let lat = within(lat + lat_lost, T::of(90.0));
+        // Past the middle of the Earth from a pole, the offset to the other pole may be 180° for −180°.
+        let past_the_pole = either(lat.abs() > half_circle, T::of(360.0).copysign(lat));
+        let lat = within((lat - past_the_pole) + lat_lost, T::of(90.0));
         let lon = within((lon - once_round) + lon_lost, half_circle);
         Ok(Geodetic::within(LatLon::within(lat, lon), height + height_lost))
     }
