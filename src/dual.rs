@@ -5,6 +5,7 @@ use core::fmt;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::Real;
+use crate::literal::Literal;
 use crate::math::{Polynomial, complex_polynomial};
 use crate::real::sealed::Sealed;
 
@@ -99,7 +100,9 @@ impl<T: Real, const N: usize> Dual<T, N> {
     }
 }
 
-impl<T: Real, const N: usize> Sealed for Dual<T, N> {}
+impl<T: Real, const N: usize> Sealed for Dual<T, N> {
+    type Literal<const BITS: u64> = Literal<BITS>;
+}
 
 impl<T: Real, const N: usize> Default for Dual<T, N> {
     #[inline(always)]

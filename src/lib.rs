@@ -32,7 +32,7 @@
 //! use terrella::cube::{CubeMap, Face, Projection};
 //! use terrella::{Ellipsoid, LatLon, Shift};
 //!
-//! let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Vertex)?;
+//! let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Vertex)?;
 //! let quito = LatLon::new(-0.18, -78.47)?;
 //! let point = map.project(quito);
 //! assert_eq!(point.face(), Face::Left);
@@ -62,7 +62,9 @@ pub mod geodesic;
 pub mod healpix;
 mod interop;
 pub mod latitude;
+mod literal;
 pub mod math;
+mod name;
 mod position;
 mod real;
 pub mod scene;
@@ -70,7 +72,7 @@ mod simd;
 pub mod terrain;
 
 pub use dual::Dual;
-pub use ellipsoid::{Ellipsoid, InvalidEllipsoid, NAMED};
+pub use ellipsoid::{Ellipsoid, InvalidEllipsoid, NAMED, UnknownEllipsoid};
 pub use frame::{Aer, Enu, LocalFrame, Ned};
 pub use latitude::{Latitude, Shift, Shifted};
 pub use position::{Direction, Ecef, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon};

@@ -6,9 +6,18 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use crate::math::{Polynomial, complex_polynomial, remainder, repeat};
 
 pub(crate) mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
+    use crate::literal::{Constant, Literal};
+
+    pub trait Sealed: Sized {
+        /// A literal as a constant of the scalar: see `literal!`.
+        type Literal<const BITS: u64>: Constant<Self>;
+    }
+    impl Sealed for f32 {
+        type Literal<const BITS: u64> = Literal<BITS>;
+    }
+    impl Sealed for f64 {
+        type Literal<const BITS: u64> = Literal<BITS>;
+    }
 }
 
 /// A scalar: `f32`, `f64`, or a [`Dual`](crate::Dual) number over one of them. Sealed.

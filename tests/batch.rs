@@ -144,7 +144,7 @@ fn projection<T: Scalar, P: CubeProjection>(name: &str, p: P) {
 }
 
 fn map<T: Scalar, P: CubeProjection>(name: &str, p: P, shift: Shift) {
-    let map = CubeMap::new(Ellipsoid::<T>::wgs84(), shift, p).unwrap();
+    let map = CubeMap::new(Ellipsoid::<T>::WGS84, shift, p).unwrap();
     compare(
         &format!("{name} map, {shift}"),
         &places::<T>(),
@@ -291,7 +291,7 @@ fn geodesics_are_the_same_bits() {
 
 #[test]
 fn geodesics_that_are_refused() {
-    let earth = Karney::new(Ellipsoid::wgs84()).unwrap();
+    let earth = Karney::new(Ellipsoid::WGS84).unwrap();
     let refused = |lat, azimuth, distance| {
         let mut ends = [[7.0]; 3];
         let [a, b, c] = &mut ends;
@@ -336,7 +336,7 @@ fn every_position<T: Scalar>() {
         },
         |from, to| batch::position::to_lat_lon(from, to).unwrap(),
     );
-    for (ellipsoid, &shift) in [Ellipsoid::wgs84(), Ellipsoid::new(T::of(6e6), T::of(0.08)).unwrap()]
+    for (ellipsoid, &shift) in [Ellipsoid::WGS84, Ellipsoid::new(T::of(6e6), T::of(0.08)).unwrap()]
         .into_iter()
         .flat_map(|ellipsoid| Shift::ALL.iter().map(move |shift| (ellipsoid, shift)))
     {
@@ -416,8 +416,8 @@ fn every_ecef<T: Scalar>() {
     let [lat, lon] = places::<T>();
     let sizes = [0.0, -0.0, 1.0, 1e-4, 3e-3, 1e-30, 1e20];
     for ellipsoid in [
-        Ellipsoid::<T>::wgs84(),
-        Ellipsoid::moon(),
+        Ellipsoid::<T>::WGS84,
+        Ellipsoid::MOON,
         Ellipsoid::new(T::of(6e6), T::of(-0.1)).unwrap(),
     ] {
         let heights = scaled(&numbers(10, ENDS), 1e7);
@@ -488,7 +488,7 @@ fn not_kept<T: Scalar>() {
         .enumerate()
         .map(|(i, &lon)| lon * T::of((i % 5) as f64))
         .collect();
-    let map = CubeMap::new(Ellipsoid::<T>::wgs84(), Shift::Conformal, Projection::Healpix).unwrap();
+    let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Conformal, Projection::Healpix).unwrap();
     compare(
         "longitudes",
         &[lat.clone(), lon.clone()],
@@ -502,7 +502,7 @@ fn not_kept<T: Scalar>() {
             store(&faces, face);
         },
     );
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     compare(
         "longitudes with heights",
         &[lat.clone(), lon, lat],
@@ -590,9 +590,9 @@ fn every_refusal<T: Scalar + PartialEq>() {
     ];
     let point = |[x, y]: [f64; 2]| ([0.0, x, y], InvalidFacePoint { x: of(x), y: of(y) });
     let points = [[1.000_001, 0.0], [0.0, -2.0], [nan, 0.0], [0.5, nan]].map(point);
-    let shifted = Shifted::new(Ellipsoid::<T>::wgs84(), Shift::Authalic).unwrap();
-    let map = CubeMap::new(Ellipsoid::<T>::wgs84(), Shift::Authalic, Projection::Vertex).unwrap();
-    let earth = Ellipsoid::<T>::wgs84();
+    let shifted = Shifted::new(Ellipsoid::<T>::WGS84, Shift::Authalic).unwrap();
+    let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, Projection::Vertex).unwrap();
+    let earth = Ellipsoid::<T>::WGS84;
 
     refuse::<T, _, 3, 2>([1.0, 0.0, 0.0], &vectors, batch::position::to_lat_lon);
     refuse::<T, _, 3, 2>([3.0, 0.0, 0.0], &vectors, |from, to| {

@@ -295,8 +295,8 @@ fn vertex() {
 #[test]
 #[ignore = "2·10⁹ numbers"]
 fn latitudes() {
-    let (single, double) = (Ellipsoid::<f32>::wgs84(), {
-        let earth = Ellipsoid::<f32>::wgs84();
+    let (single, double) = (Ellipsoid::<f32>::WGS84, {
+        let earth = Ellipsoid::<f32>::WGS84;
         Ellipsoid::new(f64::from(earth.a()), f64::from(earth.f())).unwrap()
     });
     let quarter = FRAC_PI_2 as f32;

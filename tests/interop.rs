@@ -62,7 +62,7 @@ mod serde {
         assert_eq!(to_string(&east).unwrap(), r#"{"x":0.0,"y":1.0,"z":0.0}"#);
         let point = FacePoint::new(Face::Top, 0.25_f32, -1.0).unwrap();
         assert_eq!(to_string(&point).unwrap(), r#"{"face":"top","x":0.25,"y":-1.0}"#);
-        let moon = Ellipsoid::<f64>::moon();
+        let moon = Ellipsoid::<f64>::MOON;
         assert_eq!(to_string(&moon).unwrap(), r#"{"a":1737400.0,"f":0.0}"#);
         reads(r#"{"lon": -10.75, "lat": 59.5}"#, place);
         reads(r#"{"x":0,"y":1,"z":0}"#, east);

@@ -15,11 +15,12 @@ use std::str::FromStr;
 mod scalar;
 
 use scalar::{Scalar, same};
-use terrella::cube::{
-    CubeMap, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Projection, UnknownProjection,
+use terrella::cube::{CubeMap, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Projection};
+use terrella::geodesic::Method;
+use terrella::latitude::{Conversion, InvalidLatitude, UnsupportedFlattening};
+use terrella::{
+    Direction, Dual, Ellipsoid, InvalidDirection, InvalidLatLon, LatLon, Latitude, NAMED, Real, Shift, Shifted,
 };
-use terrella::latitude::{Conversion, InvalidLatitude, UnknownLatitude, UnknownShift, UnsupportedFlattening};
-use terrella::{Direction, Ellipsoid, InvalidDirection, InvalidLatLon, LatLon, Latitude, NAMED, Real, Shift, Shifted};
 use testkit::{maximum, minimum};
 
 fn lengths<T: Scalar>() {
@@ -66,9 +67,17 @@ fn near(value: f64, truth: f64, relative: f64) {
     );
 }
 
+/// The message holds all of this.
+fn says(error: impl Error, values: &[&str]) {
+    let text = one_line(error);
+    for value in values {
+        assert!(text.contains(value), "{text:?} does not say {value}");
+    }
+}
+
 #[test]
 fn wgs84_has_the_published_constants() {
-    let e = Ellipsoid::<f64>::wgs84();
+    let e = Ellipsoid::<f64>::WGS84;
     let ulp = f64::EPSILON;
     near(e.b(), 6_356_752.314_245_179, ulp);
     near(e.e2(), 6.694_379_990_141_317_057_34e-3, ulp);
@@ -83,7 +92,7 @@ fn wgs84_has_the_published_constants() {
 #[test]
 fn grs80_has_the_published_constants() {
     // Moritz (2000), Geodetic Reference System 1980.
-    let e = Ellipsoid::<f64>::grs80();
+    let e = Ellipsoid::<f64>::GRS80;
     near(e.b(), 6_356_752.314_1, 1e-11);
     near(e.e2(), 0.006_694_380_022_90, 1e-12);
     near(e.ep2(), 0.006_739_496_775_48, 1e-12);
@@ -184,35 +193,116 @@ fn radii_lie_between_the_axes() {
     radii_between_axes::<f32>();
 }
 
+/// Against the EPSG dataset and the IAU's list.
 #[test]
-fn named_ellipsoids() {
-    // a, and the number that defines the shape: 1/f, or b.
-    for (name, a, inverse_flattening, b) in [
-        ("wgs84", 6_378_137.0, Some(298.257_223_563), None),
-        ("grs80", 6_378_137.0, Some(298.257_222_101), None),
-        ("clarke1866", 6_378_206.4, None, Some(6_356_583.8)),
-        ("international1924", 6_378_388.0, Some(297.0), None),
-        ("airy1830", 6_377_563.396, Some(299.324_964_6), None),
-        ("bessel1841", 6_377_397.155, Some(299.152_812_8), None),
-        ("moon", 1_737_400.0, None, Some(1_737_400.0)),
-        ("mars", 3_396_190.0, Some(169.894_447_2), None),
-    ] {
-        let e = Ellipsoid::<f64>::named(name).unwrap_or_else(|| panic!("{name}"));
-        assert_eq!(e.a(), a, "{name}");
-        if let Some(inverse) = inverse_flattening {
-            near(1.0 / e.f(), inverse, 2.0 * f64::EPSILON);
+fn named_ellipsoids_are_the_published_ones() {
+    let mut names = NAMED.iter();
+    for row in include_str!("truth/ellipsoids.tsv")
+        .lines()
+        .filter(|row| !row.starts_with('#'))
+    {
+        let columns: Vec<&str> = row.split('\t').collect();
+        let [name, code, _, a, metres, inverse, b] = columns[..] else {
+            panic!("{row:?} has other columns")
+        };
+        assert_eq!(names.next(), Some(&name), "the lists have the same order");
+        let e = Ellipsoid::<f64>::named(name).unwrap();
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        let metres = number(metres);
+        near(e.a(), number(a) * metres, 2.0 * f64::EPSILON);
+        if inverse != "-" {
+            assert_eq!(e.f(), 1.0 / number(inverse), "{name}");
         }
-        if let Some(b) = b {
-            near(e.b(), b, f64::EPSILON);
+        if b != "-" {
+            // Mars has been known by 1/f to ten digits.
+            let digits = if code.starts_with("IAU") {
+                1e-12
+            } else {
+                2.0 * f64::EPSILON
+            };
+            near(e.b(), number(b) * metres, digits);
         }
     }
+    assert_eq!(names.next(), None, "a name without a source");
+}
+
+#[test]
+fn named_ellipsoids_by_name() {
     assert_eq!(NAMED.len(), NAMED.iter().collect::<BTreeSet<_>>().len(), "a name twice");
     for &name in NAMED {
-        let e = Ellipsoid::<f64>::named(name).unwrap_or_else(|| panic!("{name} is listed, not known"));
+        let e: Ellipsoid = name.parse().unwrap();
         assert_eq!(Ellipsoid::new(e.a(), e.f()), Ok(e), "{name} would be refused");
+        let single = Ellipsoid::new(f32::of(e.a()), f32::of(e.f())).unwrap();
+        assert_eq!(Ellipsoid::named(name), Ok(single), "{name}");
+        assert_eq!(e.to_f32(), single, "{name}");
+        let (double, dual) = (e, Ellipsoid::<Dual<f64, 1>>::named(name).unwrap());
+        let parts = |x: Dual<f64, 1>| (x.value(), x.slopes());
+        assert_eq!(
+            [parts(dual.a()), parts(dual.f())],
+            [(double.a(), [0.0]), (double.f(), [0.0])]
+        );
     }
     for unknown in ["", "WGS84", "wgs 84", "wgs84 ", "earth"] {
-        assert_eq!(Ellipsoid::<f64>::named(unknown), None, "{unknown:?}");
+        let why = Ellipsoid::<f64>::named(unknown).unwrap_err();
+        assert_eq!(why.name(), unknown);
+        says(why, &[&format!("{unknown:?}"), "krassovsky1940"]);
+    }
+}
+
+/// As many whole characters as 30 bytes hold; the rest is an ellipsis.
+#[test]
+fn an_unknown_name_is_kept_in_part() {
+    let long = "æ".repeat(40);
+    let why = long.parse::<Shift>().unwrap_err();
+    assert_eq!(why.name(), "æ".repeat(15));
+    says(why, &[&format!("\"{}\"…", "æ".repeat(15)), "authalic"]);
+    let why = format!("x{long}").parse::<Shift>().unwrap_err();
+    assert_eq!(why.name(), format!("x{}", "æ".repeat(14)));
+    let exact = "x".repeat(30);
+    says(exact.parse::<Shift>().unwrap_err(), &[&format!("{exact:?};")]);
+}
+
+#[test]
+fn ellipsoids_from_other_numbers() {
+    for &name in NAMED {
+        let e: Ellipsoid = name.parse().unwrap();
+        let from_axes = Ellipsoid::from_semi_axes(e.a(), e.b()).unwrap();
+        assert_eq!(from_axes.a(), e.a());
+        assert!((from_axes.f() - e.f()).abs() <= f64::EPSILON, "{name}");
+        let from_inverse = Ellipsoid::from_inverse_flattening(e.a(), 1.0 / e.f()).unwrap();
+        assert!((from_inverse.f() - e.f()).abs() <= f64::EPSILON * e.f(), "{name}");
+        assert_eq!(Ellipsoid::from(e.to_f32()).to_f32(), e.to_f32());
+    }
+    let moon = Ellipsoid::sphere(1_737_400.0).unwrap();
+    assert_eq!(Ellipsoid::from_inverse_flattening(1_737_400.0, f64::INFINITY), Ok(moon));
+    let why = Ellipsoid::from_inverse_flattening(1_737_400.0, 0.0).unwrap_err();
+    says(why, &["flattening", "inf"]);
+    says(
+        Ellipsoid::from_semi_axes(1.0, -0.5).unwrap_err(),
+        &["flattening", "1.5"],
+    );
+    says(Ellipsoid::from_semi_axes(0.0, 1.0).unwrap_err(), &["axis", "0.0"]);
+}
+
+/// In a constant the same is refused, and an `f32` is no less flat than is allowed.
+#[test]
+fn constant_ellipsoids() {
+    const MINE: Ellipsoid = match Ellipsoid::const_new(6_378_137.0, 1.0 / 298.257_223_563) {
+        Ok(ellipsoid) => ellipsoid,
+        Err(_) => panic!(),
+    };
+    const SINGLE: Ellipsoid<f32> = MINE.to_f32();
+    assert_eq!((MINE, SINGLE), (Ellipsoid::WGS84, Ellipsoid::WGS84));
+    let below = |x: f64| f64::from_bits(x.to_bits() - 1);
+    for a in [1e-15, below(1e-15), 1e15, 1.1e15, -1.0, 0.0, f64::NAN, f64::INFINITY] {
+        for f in [0.0, -1000.0, -1000.1, below(1.0), 1.0, f64::NAN, f64::NEG_INFINITY] {
+            let (constant, new) = (Ellipsoid::const_new(a, f), Ellipsoid::new(a, f));
+            assert_eq!(format!("{constant:?}"), format!("{new:?}"));
+            if let Ok(e) = new {
+                let single = e.to_f32();
+                assert_eq!(Ellipsoid::new(single.a(), single.f()), Ok(single), "{e:?}");
+            }
+        }
     }
 }
 
@@ -286,7 +376,7 @@ fn latitude_door<T: Scalar>() {
     let quarter = T::of(std::f64::consts::FRAC_PI_2);
     for &from in Latitude::ALL {
         for &to in Latitude::ALL {
-            let conversion = Conversion::new(Ellipsoid::<T>::wgs84(), from, to).unwrap();
+            let conversion = Conversion::new(Ellipsoid::<T>::WGS84, from, to).unwrap();
             let isometric = from == Latitude::Isometric;
             let judge = |value: T, limit: T, result: Result<T, InvalidLatitude<T>>| {
                 let valid = if isometric {
@@ -359,7 +449,7 @@ where
         };
         let text = one_line(unknown);
         for own in &seen {
-            assert!(text.split(' ').any(|word| word == *own), "{text} lacks {own}");
+            assert!(text.split([' ', ',']).any(|word| word == *own), "{text} lacks {own}");
         }
     }
 }
@@ -386,12 +476,6 @@ fn one_line(error: impl Error) -> String {
 
 #[test]
 fn errors_say_the_value_in_one_line() {
-    fn says(error: impl Error, values: &[&str]) {
-        let text = one_line(error);
-        for value in values {
-            assert!(text.contains(value), "{text:?} does not say {value}");
-        }
-    }
     says(LatLon::new(-90.5, 0.0).unwrap_err(), &["latitude", "-90.5"]);
     says(LatLon::new(f32::NAN, 0.0).unwrap_err(), &["latitude", "NaN"]);
     says(LatLon::new(0.0, f64::INFINITY).unwrap_err(), &["longitude", "inf"]);
@@ -411,9 +495,14 @@ fn errors_say_the_value_in_one_line() {
     );
     says(UnsupportedFlattening(0.75), &["0.75"]);
     says(InvalidLatitude(90.25), &["90.25"]);
-    says(UnknownProjection, &["healpix", "s2-quadratic"]);
-    says(UnknownShift, &["authalic"]);
-    says(UnknownLatitude, &["isometric"]);
+    let name = "mercator";
+    says(
+        name.parse::<Projection>().unwrap_err(),
+        &[name, "healpix", "s2-quadratic"],
+    );
+    says(name.parse::<Shift>().unwrap_err(), &[name, "authalic"]);
+    says(name.parse::<Latitude>().unwrap_err(), &[name, "isometric"]);
+    says(name.parse::<Method>().unwrap_err(), &[name, "vincenty"]);
 }
 
 fn exact_angles<T: Scalar>() {
@@ -486,7 +575,7 @@ fn antimeridian<T: Scalar>() {
             assert_eq!(place.to_direction().to_lat_lon().lon(), lon, "{} {lat:?}", T::NAME);
             for &shift in Shift::ALL {
                 for &projection in Projection::ALL {
-                    let map = CubeMap::new(Ellipsoid::<T>::wgs84(), shift, projection).unwrap();
+                    let map = CubeMap::new(Ellipsoid::<T>::WGS84, shift, projection).unwrap();
                     let back = map.unproject(map.project(place)).lon();
                     assert_eq!(back, lon, "{projection} {shift} {}: {place:?}", T::NAME);
                 }
@@ -505,7 +594,7 @@ fn proj_4214_longitude_minus_180() {
 #[test]
 fn proj_1157_points_on_the_edges_of_the_cube() {
     for &projection in Projection::ALL {
-        let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Geocentric, projection).unwrap();
+        let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Geocentric, projection).unwrap();
         // COBE's published polynomials miss each other by 3e-4.
         let tolerance = if projection == Projection::Cobe { 0.05 } else { 1e-12 };
         for lon in [-135.0, -45.0, 45.0, 135.0] {
@@ -537,7 +626,7 @@ fn geographiclib_js_3_latitude_45() {
     for lat in [-45.0, 45.0] {
         for &from in Latitude::ALL {
             for &to in Latitude::ALL {
-                let conversion = Conversion::new(Ellipsoid::<f64>::wgs84(), from, to).unwrap();
+                let conversion = Conversion::new(Ellipsoid::<f64>::WGS84, from, to).unwrap();
                 let value = conversion.degrees(lat).unwrap();
                 assert!(
                     value.signum() == lat.signum() && value.abs() <= 90.0,
@@ -550,7 +639,7 @@ fn geographiclib_js_3_latitude_45() {
         }
         for &projection in Projection::ALL {
             for &shift in Shift::ALL {
-                let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), shift, projection).unwrap();
+                let map = CubeMap::new(Ellipsoid::<f64>::WGS84, shift, projection).unwrap();
                 for lon in (-180..=180).step_by(45).map(f64::from) {
                     let back = map.unproject(map.project(LatLon::new(lat, lon).unwrap()));
                     let tolerance = if projection == Projection::Cobe { 0.05 } else { 1e-12 };
@@ -589,7 +678,7 @@ fn ardupilot_17840_past_180() {
 #[test]
 fn astropy_healpix_34_next_to_the_poles() {
     for &shift in Shift::ALL {
-        let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), shift, Projection::Healpix).unwrap();
+        let map = CubeMap::new(Ellipsoid::<f64>::WGS84, shift, Projection::Healpix).unwrap();
         for exponent in 0..=14 {
             for lon in (-180..=180).step_by(5).map(f64::from) {
                 for sign in [-1.0, 1.0] {
@@ -609,7 +698,7 @@ fn astropy_healpix_34_next_to_the_poles() {
 /// zone from the equator.
 #[test]
 fn healpix_geo_28_equal_areas_on_the_ellipsoid() {
-    let ellipsoid = Ellipsoid::<f64>::wgs84();
+    let ellipsoid = Ellipsoid::<f64>::WGS84;
     let e = ellipsoid.e2().sqrt();
     // 1/2πb² of the area between the equator and latitude φ.
     let zone = |lat: f64| {

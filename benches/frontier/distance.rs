@@ -111,7 +111,7 @@ pub fn run<T: Scalar>(bench: &mut Bench) {
     let problems = Problems::<T>::new(bench.points);
     for method in Method::ALL {
         let name = method.name();
-        match method.on(Ellipsoid::wgs84()).expect("a method for the Earth") {
+        match method.on(Ellipsoid::WGS84).expect("a method for the Earth") {
             AnyMethod::Haversine(m) => problems.one_by_one(bench, name, &m),
             AnyMethod::GreatCircle(m) => problems.one_by_one(bench, name, &m),
             AnyMethod::Flat(m) => problems.one_by_one(bench, name, &m),

@@ -42,7 +42,7 @@ fn length<T: Scalar>(truth: Vec<Row<'static>>, columns: [&'static str; 3], metre
 }
 
 fn ecef<T: Scalar>(bench: &mut Bench) {
-    let wgs84 = Ellipsoid::<T>::wgs84();
+    let wgs84 = Ellipsoid::<T>::WGS84;
     let n = bench.points;
     let high = |name: &str, columns: &[&str]| {
         let mut truth = rows::<T>(name, columns);
@@ -132,7 +132,7 @@ fn direction<T: Scalar>(bench: &mut Bench) {
 /// In radians, as the truth of both ways is.
 fn latitude<T: Scalar>(bench: &mut Bench, kind: Latitude) {
     let n = bench.points;
-    let wgs84 = Ellipsoid::<T>::wgs84();
+    let wgs84 = Ellipsoid::<T>::WGS84;
     let angles = |order| vec![lat_lons(order, n).lat.iter().map(|lat| lat.to_radians()).collect()];
     let error = |truth: Vec<Row<'static>>, column: &'static str| -> Error<T> {
         Box::new(move |i, room| truth[i].error(column, room.columns[0][i]) * WGS84_A)

@@ -62,8 +62,8 @@ impl Ground {
         let sphere = Ellipsoid::new(T::of(METRES_PER_RADIAN), T::ZERO).expect("a sphere");
         let (ellipsoid, shift) = match self {
             Self::Vector | Self::Sphere => (sphere, Shift::Geodetic),
-            Self::Geocentric => (Ellipsoid::wgs84(), Shift::Geocentric),
-            Self::Authalic => (Ellipsoid::wgs84(), Shift::Authalic),
+            Self::Geocentric => (Ellipsoid::WGS84, Shift::Geocentric),
+            Self::Authalic => (Ellipsoid::WGS84, Shift::Authalic),
         };
         CubeMap::new(ellipsoid, shift, projection).expect("a shift for the Earth")
     }
@@ -80,7 +80,7 @@ impl Ground {
         } else {
             (Latitude::Geodetic, kind)
         };
-        let conversion = Conversion::new(Ellipsoid::wgs84(), from, to).expect("a latitude for the Earth");
+        let conversion = Conversion::new(Ellipsoid::WGS84, from, to).expect("a latitude for the Earth");
         conversion.radians(latitude).expect("a latitude")
     }
 

@@ -22,7 +22,7 @@ const TILES: usize = 256;
 const KEYS: usize = 1 << 16;
 
 fn main() {
-    let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized).unwrap();
+    let map = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Quadrilateralized).unwrap();
     let mut rng = Rng::with_seed(1);
     let mut tile = |level: u8| {
         let mut index = || rng.u32(0..1 << level);

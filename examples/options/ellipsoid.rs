@@ -1,6 +1,6 @@
 //! The `--ellipsoid` option, for every example that has it.
 
-use terrella::{Ellipsoid, NAMED};
+use terrella::{Ellipsoid, UnknownEllipsoid};
 
 /// Reads a name, or `A,F` with a number or a fraction for F.
 ///
@@ -9,12 +9,9 @@ use terrella::{Ellipsoid, NAMED};
 pub fn parse(text: &str) -> Result<Ellipsoid<f64>, String> {
     match text.split_once(',') {
         Some((a, f)) => Ellipsoid::new(number(a)?, ratio(f)?).map_err(|error| error.to_string()),
-        None => Ellipsoid::named(text).ok_or_else(|| {
-            format!(
-                "unknown ellipsoid; known are {}; others are given as A,F",
-                NAMED.join(" ")
-            )
-        }),
+        None => text
+            .parse()
+            .map_err(|error: UnknownEllipsoid| format!("{error}; or A,F for any other")),
     }
 }
 

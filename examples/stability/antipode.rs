@@ -56,7 +56,7 @@ pub fn steps(side: u32) -> Result<Svg, String> {
     fn both<T: Real>(
         lift: impl Fn(f64) -> T + Copy + Sync,
     ) -> Result<[impl Fn(Pair) -> Option<f64> + Sync; 2], String> {
-        let earth = Ellipsoid::<T>::wgs84();
+        let earth = Ellipsoid::<T>::WGS84;
         let vincenty = Vincenty::new(earth).map_err(|why| why.to_string())?;
         let karney = Karney::new(earth).map_err(|why| why.to_string())?;
         let count = move |pair: Pair, is_karney: bool| {

@@ -84,14 +84,14 @@ fn errors(scalar: Scalar, reach: f64, side: u32) -> Result<Vec<[f64; 2]>, String
 fn found<T: Real + Into<f64>>(point: [f64; 3], to: impl Fn(f64) -> T) -> Result<[f64; 2], String> {
     let [x, y, z] = point.map(to);
     let ecef = Ecef::new(x, y, z).map_err(|error| error.to_string())?;
-    let geodetic = Ellipsoid::<T>::wgs84().to_geodetic(ecef);
+    let geodetic = Ellipsoid::<T>::WGS84.to_geodetic(ecef);
     Ok(Reference::new(point).errors(geodetic))
 }
 
 /// The surface of the Earth and its evolute.
 fn curves(svg: &mut Svg, area: Area, reach: f64) {
-    let b = Ellipsoid::<f64>::wgs84().b();
-    let e2 = Ellipsoid::<f64>::wgs84().e2();
+    let b = Ellipsoid::<f64>::WGS84.b();
+    let e2 = Ellipsoid::<f64>::WGS84.e2();
     let place = |rho: f64, z: f64| {
         [
             area.x + rho / reach * area.width,

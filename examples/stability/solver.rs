@@ -56,7 +56,7 @@ impl Solver {
 
 /// The radius that stands for the Earth on the sphere.
 pub fn radius() -> f64 {
-    Ellipsoid::<f64>::wgs84().mean_radius()
+    Ellipsoid::<f64>::WGS84.mean_radius()
 }
 
 /// This crate's methods, each in both precisions.
@@ -64,10 +64,7 @@ pub fn ours() -> Result<Vec<Solver>, Box<dyn Error>> {
     let mut solvers = Vec::new();
     for &method in Method::ALL {
         let (name, colour, figure) = shown(method);
-        let (double, single) = (
-            method.on(Ellipsoid::<f64>::wgs84())?,
-            method.on(Ellipsoid::<f32>::wgs84())?,
-        );
+        let (double, single) = (method.on(Ellipsoid::<f64>::WGS84)?, method.on(Ellipsoid::<f32>::WGS84)?);
         let double = move |pair| solve(&double, pair, |x| x);
         let single = move |pair| solve(&single, pair, |x| x as f32).map(f64::from);
         solvers.push(Solver::new(name, Scalar::F64, figure, colour, double));

@@ -57,7 +57,7 @@ fn main() -> ExitCode {
 /// Draws all frames and the page; returns the figures and where the page is.
 fn approach(options: &Options) -> Result<String, String> {
     let out = options.out.as_path();
-    let map = CubeMap::new(Ellipsoid::wgs84(), options.shift, options.projection).map_err(|error| error.to_string())?;
+    let map = CubeMap::new(Ellipsoid::WGS84, options.shift, options.projection).map_err(|error| error.to_string())?;
     let elevation = Elevation::read(&options.elevation)?;
     // As fine as it is.
     let imagery = Imagery::read(&options.imagery, u32::MAX / 16)?;

@@ -138,7 +138,7 @@ impl<T: Real> Mended<'_, T> {
 /// use terrella::{Ellipsoid, batch::ellipsoid};
 /// let (mut x, mut y, mut z) = ([0.0; 2], [0.0; 2], [0.0; 2]);
 /// let places = [[0.0, 90.0], [90.0, 0.0], [100.0, -100.0]];
-/// ellipsoid::to_ecef(Ellipsoid::wgs84(), places.each_ref().map(|c| &c[..]), [&mut x, &mut y, &mut z])?;
+/// ellipsoid::to_ecef(Ellipsoid::WGS84, places.each_ref().map(|c| &c[..]), [&mut x, &mut y, &mut z])?;
 /// assert_eq!((x, y, z[0]), ([0.0, 0.0], [6_378_237.0, 0.0], 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -164,7 +164,7 @@ pub fn to_ecef<T: Real>(
 /// use terrella::{Ellipsoid, batch::ellipsoid};
 /// let (mut lat, mut lon, mut height) = ([0.0; 2], [0.0; 2], [0.0; 2]);
 /// let points = [[0.0, 0.0], [-7e6, 0.0], [0.0, 0.0]];
-/// ellipsoid::to_geodetic(Ellipsoid::wgs84(), points.each_ref().map(|c| &c[..]), [&mut lat, &mut lon, &mut height])?;
+/// ellipsoid::to_geodetic(Ellipsoid::WGS84, points.each_ref().map(|c| &c[..]), [&mut lat, &mut lon, &mut height])?;
 /// assert_eq!((lat, lon, height[0]), ([0.0, 90.0], [-90.0, 0.0], 621_863.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

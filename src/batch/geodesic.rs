@@ -231,7 +231,7 @@ fn solve<T: Real, P: Problem<T>, D: Constructor<T, 4, Error = InvalidProblem<T>>
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};
-/// let earth = Karney::new(Ellipsoid::wgs84())?;
+/// let earth = Karney::new(Ellipsoid::WGS84)?;
 /// let (mut distance, mut there, mut back) = ([0.0; 2], [0.0; 2], [0.0; 2]);
 /// let from: [&[f64]; 2] = [&[0.0, 40.6], &[0.0, -73.8]];
 /// let to: [&[f64]; 2] = [&[0.0, 51.6], &[1.0, -0.5]];
@@ -258,7 +258,7 @@ pub fn inverse<T: Real, M: Straight<T>>(
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};
-/// let earth = Karney::new(Ellipsoid::wgs84())?;
+/// let earth = Karney::new(Ellipsoid::WGS84)?;
 /// let (mut lat, mut lon, mut azimuth) = ([0.0_f64], [0.0_f64], [0.0]);
 /// geodesic::direct(&earth, [&[40.6], &[-73.8]], &[53.5], &[5.85e6], [&mut lat, &mut lon, &mut azimuth])?;
 /// assert!((lat[0] - 49.0).abs() < 0.1 && (lon[0] - 2.5).abs() < 0.1);

@@ -19,7 +19,7 @@ use crate::{InvalidDirection, InvalidLatLon, Latitude, Real, Shifted};
 ///
 /// ```
 /// use terrella::{Ellipsoid, LatLon, Shift, Shifted, batch::latitude};
-/// let earth = Shifted::new(Ellipsoid::wgs84(), Shift::Geocentric)?;
+/// let earth = Shifted::new(Ellipsoid::WGS84, Shift::Geocentric)?;
 /// let (mut x, mut y, mut z) = ([0.0], [0.0], [0.0]);
 /// latitude::to_direction(&earth, [&[45.0], &[10.0]], [&mut x, &mut y, &mut z])?;
 /// assert_eq!([x[0], y[0], z[0]], earth.to_direction(LatLon::new(45.0, 10.0)?).to_array());
@@ -41,7 +41,7 @@ pub fn to_direction<T: Real>(
 ///
 /// ```
 /// use terrella::{Ellipsoid, Shift, Shifted, batch::latitude};
-/// let earth = Shifted::new(Ellipsoid::wgs84(), Shift::Geocentric)?;
+/// let earth = Shifted::new(Ellipsoid::WGS84, Shift::Geocentric)?;
 /// let (mut lat, mut lon) = ([0.0], [0.0]);
 /// latitude::to_lat_lon(&earth, [&[0.0], &[1.0], &[1.0]], [&mut lat, &mut lon])?;
 /// assert!((lat[0] - 45.192_423_f64).abs() < 1e-6 && lon == [90.0]);
@@ -162,7 +162,7 @@ fn convert<T: Real, A: Angle>(
 ///
 /// ```
 /// use terrella::{Ellipsoid, Latitude, batch::latitude, latitude::Conversion};
-/// let authalic = Conversion::new(Ellipsoid::wgs84(), Latitude::Geodetic, Latitude::Authalic)?;
+/// let authalic = Conversion::new(Ellipsoid::WGS84, Latitude::Geodetic, Latitude::Authalic)?;
 /// let mut result = [0.0; 2];
 /// latitude::degrees(&authalic, &[45.0, 90.0], &mut result)?;
 /// assert_eq!(result, [authalic.degrees(45.0)?, 90.0]);
@@ -183,7 +183,7 @@ pub fn degrees<T: Real>(
 ///
 /// ```
 /// use terrella::{Ellipsoid, Latitude, batch::latitude, latitude::Conversion};
-/// let isometric = Conversion::new(Ellipsoid::wgs84(), Latitude::Geodetic, Latitude::Isometric)?;
+/// let isometric = Conversion::new(Ellipsoid::WGS84, Latitude::Geodetic, Latitude::Isometric)?;
 /// let mut result = [0.0];
 /// latitude::radians(&isometric, &[0.5], &mut result)?;
 /// assert_eq!(result, [isometric.radians(0.5)?]);

@@ -18,7 +18,7 @@ use crate::{InvalidLatLon, Real, Shifted};
 /// ```
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
 /// use terrella::{Ellipsoid, Shift, batch::map};
-/// let earth = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?;
+/// let earth = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Quadrilateralized)?;
 /// let (mut face, mut x, mut y) = ([Face::Front; 2], [0.0; 2], [0.0; 2]);
 /// map::project(&earth, [&[59.91, 0.0], &[10.75, 180.0]], &mut face, [&mut x, &mut y])?;
 /// assert_eq!((face, x[1], y[1]), ([Face::Top, Face::Back], 0.0, 0.0));
@@ -97,7 +97,7 @@ impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 3, 2> for UnprojectPlace<
 /// ```
 /// use terrella::cube::{CubeMap, Face, Vertex};
 /// use terrella::{Ellipsoid, Shift, batch::map};
-/// let earth = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Vertex)?;
+/// let earth = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Vertex)?;
 /// let (mut lat, mut lon) = ([0.0; 2], [0.0; 2]);
 /// map::unproject(&earth, &[Face::Right, Face::Top], [&[0.0, 0.0], &[0.0, 0.0]], [&mut lat, &mut lon])?;
 /// assert_eq!((lat[0], lon[0], lat[1]), (0.0, 90.0, 90.0));

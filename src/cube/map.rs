@@ -10,7 +10,7 @@ use crate::{Ellipsoid, LatLon, Real, Shift, Shifted};
 /// use terrella::{Ellipsoid, LatLon, Shift};
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
 ///
-/// let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Quadrilateralized)?;
+/// let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Quadrilateralized)?;
 /// let oslo = LatLon::new(59.91, 10.75).unwrap();
 /// let p = map.project(oslo);
 /// assert_eq!(p.face(), Face::Top);

@@ -9,7 +9,7 @@
 //! use terrella::distortion::{Ground, Survey};
 //! use terrella::{Ellipsoid, Shift};
 //!
-//! let ground = Ground::new(CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Geocentric, Outerra)?);
+//! let ground = Ground::new(CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Geocentric, Outerra)?);
 //! let corner = ground.jacobian(FacePoint::new(Face::Front, 1.0, 1.0)?)?;
 //! assert!((corner.aspect() - 1.0).abs() < 1e-2);
 //!

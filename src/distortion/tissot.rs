@@ -15,7 +15,7 @@ use crate::math::{atan2_degrees, select};
 /// use terrella::distortion::Ground;
 /// use terrella::{Ellipsoid, Shift};
 ///
-/// let ground = Ground::new(CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Vertex)?);
+/// let ground = Ground::new(CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Vertex)?);
 /// let tissot = ground.tissot(FacePoint::new(Face::Top, 0.3, -0.6)?)?;
 /// assert!((tissot.areal - 1.0).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

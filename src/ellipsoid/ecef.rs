@@ -17,7 +17,7 @@ impl<T: Real> Ellipsoid<T> {
     /// ```
     /// use terrella::{Ellipsoid, Geodetic, LatLon};
     /// let greenwich = Geodetic::new(LatLon::new(51.477_811, -0.001_475)?, 45.0)?;
-    /// let [x, y, z] = Ellipsoid::wgs84().to_ecef(greenwich).to_array();
+    /// let [x, y, z] = Ellipsoid::WGS84.to_ecef(greenwich).to_array();
     /// assert!((x - 3_980_609.0_f64).abs() < 1.0 && (y + 102.0).abs() < 1.0 && (z - 4_966_860.0).abs() < 1.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -70,7 +70,7 @@ impl<T: Real> Ellipsoid<T> {
     ///
     /// ```
     /// use terrella::{Ecef, Ellipsoid};
-    /// let earth = Ellipsoid::<f64>::wgs84();
+    /// let earth = Ellipsoid::<f64>::WGS84;
     /// let moon = earth.to_geodetic(Ecef::new(363_300e3, 0.0, 0.0)?);
     /// assert_eq!((moon.lat(), moon.lon(), moon.height()), (0.0, 0.0, 356_921_863.0));
     /// let centre = earth.to_geodetic(Ecef::new(0.0, 0.0, 0.0)?);

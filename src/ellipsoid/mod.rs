@@ -1,89 +1,73 @@
 //! [`Ellipsoid`]: the size and shape of a planet.
 
 mod ecef;
+mod named;
 
 use core::fmt;
+
+pub use named::{NAMED, UnknownEllipsoid};
 
 use crate::math::{atan, cbrt, inverse_gudermannian};
 use crate::{Direction, Dual, Real};
 
-/// An ellipsoid of revolution: semi-major (equatorial) axis a in metres and flattening f = (a − b)/a.
+/// An ellipsoid of revolution, given by its semi-major axis a in metres and its flattening f = (a − b)/a.
 ///
-/// Oblate for f > 0, a sphere for f = 0, prolate for f < 0.
+/// The ellipsoid is oblate for f > 0, a sphere for f = 0 and prolate for f < 0.
+///
+/// The type `Ellipsoid` is `Ellipsoid<f64>`. Named ellipsoids are constants of every scalar. In an expression, Rust does
+/// not assume `f64`, so write the type where nothing else tells it:
 ///
 /// ```
 /// use terrella::Ellipsoid;
-/// let earth = Ellipsoid::<f64>::wgs84();
+/// let earth: Ellipsoid = Ellipsoid::WGS84;
 /// assert_eq!(earth.a(), 6_378_137.0);
 /// assert!((earth.b() - 6_356_752.314_245).abs() < 1e-6);
+///
+/// // Any other: from a and f, from a and b, or from a and 1/f; in a constant too.
+/// let bessel: Ellipsoid = Ellipsoid::from_inverse_flattening(6_377_397.155, 299.152_812_8)?;
+/// assert_eq!(bessel, Ellipsoid::BESSEL1841);
+/// const MINE: Ellipsoid = match Ellipsoid::const_new(6_377_000.0, 1.0 / 299.0) {
+///     Ok(ellipsoid) => ellipsoid,
+///     Err(_) => panic!("out of range"),
+/// };
+/// const SINGLE: Ellipsoid<f32> = MINE.to_f32();
+/// # assert_eq!(SINGLE.a(), 6_377_000.0);
+/// # Ok::<(), terrella::InvalidEllipsoid<f64>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Ellipsoid<T> {
+pub struct Ellipsoid<T = f64> {
     a: T,
     f: T,
 }
 
-macro_rules! named {
-    ($($(#[$doc:meta])* $function:ident, $constant:ident, $name:literal, $a:expr, $f:expr;)*) => {
-        /// Names that [`Ellipsoid::named`] knows.
-        pub const NAMED: &[&str] = &[$($name),*];
-
-        impl Ellipsoid<f64> {
-            $(
-                $(#[$doc])*
-                pub const $constant: Self = Self { a: $a, f: $f };
-            )*
+impl Ellipsoid {
+    /// [`Ellipsoid::new`] for constants: the same, in `f64` alone.
+    ///
+    /// From the polar semi-axis b, pass f = (a − b)/a; from 1/f, pass its inverse. For `f32`, use
+    /// [`to_f32`](Self::to_f32) on the result.
+    ///
+    /// # Errors
+    /// [`InvalidEllipsoid`] for what [`Ellipsoid::new`] refuses.
+    pub const fn const_new(a: f64, f: f64) -> Result<Self, InvalidEllipsoid<f64>> {
+        // Comparisons are written so that NaN is refused.
+        if !(a >= SHORTEST && a <= LONGEST) {
+            return Err(InvalidEllipsoid::SemiMajorAxis(a));
         }
-
-        impl<T: Real> Ellipsoid<T> {
-            $(
-                $(#[$doc])*
-                #[must_use]
-                #[inline]
-                pub fn $function() -> Self {
-                    Self { a: T::of($a), f: T::of($f) }
-                }
-            )*
-
-            /// The ellipsoid of a name in [`NAMED`].
-            ///
-            /// ```
-            /// # use terrella::Ellipsoid;
-            /// assert_eq!(Ellipsoid::named("mars"), Some(Ellipsoid::<f32>::mars()));
-            /// ```
-            #[must_use]
-            pub fn named(name: &str) -> Option<Self> {
-                match name {
-                    $($name => Some(Self::$function()),)*
-                    _ => None,
-                }
-            }
+        if !(f >= MOST_PROLATE && f < 1.0) {
+            return Err(InvalidEllipsoid::Flattening(f));
         }
-    };
-}
+        Ok(Self { a, f })
+    }
 
-named! {
-    /// World Geodetic System 1984: 6 378 137 m, 1/298.257223563.
-    wgs84, WGS84, "wgs84", 6_378_137.0, 1.0 / 298.257_223_563;
-    /// Geodetic Reference System 1980: 6 378 137 m, 1/298.257222101.
-    grs80, GRS80, "grs80", 6_378_137.0, 1.0 / 298.257_222_101;
-    /// Clarke 1866: 6 378 206.4 m, b = 6 356 583.8 m.
-    clarke1866, CLARKE1866, "clarke1866", 6_378_206.4, 21_622.6 / 6_378_206.4;
-    /// International (Hayford) 1924: 6 378 388 m, 1/297.
-    international1924, INTERNATIONAL1924, "international1924", 6_378_388.0, 1.0 / 297.0;
-    /// Airy 1830: 6 377 563.396 m, 1/299.3249646.
-    airy1830, AIRY1830, "airy1830", 6_377_563.396, 1.0 / 299.324_964_6;
-    /// Bessel 1841: 6 377 397.155 m, 1/299.1528128.
-    bessel1841, BESSEL1841, "bessel1841", 6_377_397.155, 1.0 / 299.152_812_8;
-    /// The Moon, a sphere of 1 737 400 m (IAU).
-    moon, MOON, "moon", 1_737_400.0, 0.0;
-    /// Mars: 3 396 190 m, 1/169.8944472 (IAU).
-    mars, MARS, "mars", 3_396_190.0, 1.0 / 169.894_447_2;
-}
+    /// Returns the ellipsoid with a and f rounded to the nearest `f32`; an f that would round to 1, to the number below.
+    #[must_use]
+    pub const fn to_f32(self) -> Ellipsoid<f32> {
+        let (f, flattest) = (self.f as f32, 1.0 - f32::EPSILON / 2.0);
+        Ellipsoid::within(self.a as f32, if f < flattest { f } else { flattest })
+    }
 
-impl Ellipsoid<f64> {
     /// The same ellipsoid in another scalar.
     #[inline(always)]
     pub(crate) fn rounded<T: Real>(self) -> Ellipsoid<T> {
@@ -91,20 +75,58 @@ impl Ellipsoid<f64> {
     }
 }
 
+impl From<Ellipsoid<f32>> for Ellipsoid {
+    /// The same a and f: every `f32` is an `f64`.
+    fn from(ellipsoid: Ellipsoid<f32>) -> Self {
+        Self::within(ellipsoid.a.into(), ellipsoid.f.into())
+    }
+}
+
+/// Bounds of a in metres and of f, within which no derived constant overflows or vanishes.
+const SHORTEST: f64 = 1e-15;
+const LONGEST: f64 = 1e15;
+const MOST_PROLATE: f64 = -1000.0;
+
 impl<T: Real> Ellipsoid<T> {
-    /// From the semi-major axis in metres, from 10⁻¹⁵ to 10¹⁵, and the flattening, from −1000 to just below 1: within these bounds no
-    /// derived constant overflows or vanishes.
+    /// Creates the ellipsoid of a semi-major axis a in metres and a flattening f.
+    ///
+    /// a lies in [10⁻¹⁵, 10¹⁵] and f in [−1000, 1).
     ///
     /// # Errors
-    /// [`InvalidEllipsoid`] outside these bounds, and for NaN.
+    /// [`InvalidEllipsoid`] with the value that lies outside, or is NaN.
     pub fn new(a: T, f: T) -> Result<Self, InvalidEllipsoid<T>> {
-        if !(T::of(1e-15)..=T::of(1e15)).contains(&a) {
+        if !(T::of(SHORTEST)..=T::of(LONGEST)).contains(&a) {
             return Err(InvalidEllipsoid::SemiMajorAxis(a));
         }
-        if !(T::of(-1000.0)..T::ONE).contains(&f) {
+        if !(T::of(MOST_PROLATE)..T::ONE).contains(&f) {
             return Err(InvalidEllipsoid::Flattening(f));
         }
         Ok(Self { a, f })
+    }
+
+    /// Creates the ellipsoid of an equatorial semi-axis a and a polar semi-axis b, both in metres.
+    ///
+    /// ```
+    /// use terrella::Ellipsoid;
+    /// let clarke: Ellipsoid = Ellipsoid::from_semi_axes(6_378_206.4, 6_356_583.8)?;
+    /// assert!((1.0 / clarke.f() - 294.978_698_2).abs() < 1e-7);
+    /// # Ok::<(), terrella::InvalidEllipsoid<f64>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InvalidEllipsoid`] unless a lies in [10⁻¹⁵, 10¹⁵] and f = (a − b)/a in [−1000, 1).
+    pub fn from_semi_axes(a: T, b: T) -> Result<Self, InvalidEllipsoid<T>> {
+        Self::new(a, (a - b) / a)
+    }
+
+    /// Creates the ellipsoid of a semi-major axis a in metres and an inverse flattening 1/f, which is infinite for a
+    /// sphere.
+    ///
+    /// # Errors
+    /// [`InvalidEllipsoid`] unless a lies in [10⁻¹⁵, 10¹⁵] and f in [−1000, 1). So an inverse flattening of 0, which
+    /// WKT writes for a sphere, is refused: see [`sphere`](Self::sphere).
+    pub fn from_inverse_flattening(a: T, inverse: T) -> Result<Self, InvalidEllipsoid<T>> {
+        Self::new(a, T::ONE / inverse)
     }
 
     /// What is known to be within the bounds of [`new`](Self::new).
@@ -113,7 +135,7 @@ impl<T: Real> Ellipsoid<T> {
         Self { a, f }
     }
 
-    /// A sphere of the given radius in metres.
+    /// Creates a sphere of a radius in metres.
     ///
     /// # Errors
     /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.

@@ -18,12 +18,12 @@ use crate::{Direction, Ecef, Ellipsoid, Geodetic, InvalidEcef, Real};
 /// use terrella::{Ellipsoid, Geodetic, LatLon, LocalFrame};
 /// let antenna = Geodetic::new(LatLon::new(52.0, 8.0)?, 110.0)?;
 /// let aircraft = Geodetic::new(LatLon::new(52.1, 8.3)?, 10_000.0)?;
-/// let frame = LocalFrame::new(Ellipsoid::wgs84(), antenna);
+/// let frame = LocalFrame::new(Ellipsoid::WGS84, antenna);
 /// let aer = frame.geodetic_to_aer(aircraft);
 /// assert!((aer.azimuth - 61.483_777_f64).abs() < 1e-6 && (aer.elevation - 22.793_889).abs() < 1e-6);
 /// assert!((aer.range - 25_417.268_385).abs() < 1e-6);
 /// // the same through Earth axes
-/// let ecef = Ellipsoid::wgs84().to_ecef(aircraft);
+/// let ecef = Ellipsoid::WGS84.to_ecef(aircraft);
 /// assert!((frame.to_aer(ecef).range - aer.range).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -100,7 +100,7 @@ impl<T: Real> LocalFrame<T> {
     ///
     /// ```
     /// use terrella::{Aer, Direction, Ellipsoid, Geodetic, LatLon, LocalFrame};
-    /// let frame = LocalFrame::new(Ellipsoid::wgs84(), LatLon::new(60.0, 0.0)?.into());
+    /// let frame = LocalFrame::new(Ellipsoid::WGS84, LatLon::new(60.0, 0.0)?.into());
     /// // where the celestial pole stands
     /// let pole = Direction::new(0.0, 0.0, 1.0)?;
     /// let aer = Aer::from(frame.vector_to_enu(pole.to_array()));
@@ -195,7 +195,7 @@ impl<T: Real> LocalFrame<T> {
     /// use terrella::{Ellipsoid, Geodetic, LatLon, LocalFrame};
     /// let tower = Geodetic::new(LatLon::new(48.858_2_f32, 2.294_5)?, 33.0)?;
     /// let drone = Geodetic::new(tower.lat_lon(), 33.125)?;
-    /// let frame = LocalFrame::new(Ellipsoid::wgs84(), tower);
+    /// let frame = LocalFrame::new(Ellipsoid::WGS84, tower);
     /// assert_eq!(frame.geodetic_to_enu(drone).up, 0.125);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

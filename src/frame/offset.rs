@@ -19,7 +19,7 @@ use crate::{Geodetic, LatLon, Real};
 /// use terrella::frame::GeodeticOffset;
 /// use terrella::{Ellipsoid, Enu, Geodetic, LatLon, LocalFrame};
 /// let pad = Geodetic::new(LatLon::new(28.5_f32, -80.6)?, 3.0)?;
-/// let frame = LocalFrame::new(Ellipsoid::wgs84(), pad);
+/// let frame = LocalFrame::new(Ellipsoid::WGS84, pad);
 /// let drone = Enu { east: 120.0, north: 0.001, up: 60.0 };
 /// let offset = frame.enu_to_offset(drone)?;
 /// let back = frame.offset_to_enu(offset);
@@ -68,7 +68,7 @@ impl<T: Real> LocalFrame<T> {
     /// ```
     /// use terrella::{Ellipsoid, Enu, Geodetic, LatLon, LocalFrame};
     /// let tower = Geodetic::new(LatLon::new(48.858_2_f32, 2.294_5)?, 33.0)?;
-    /// let frame = LocalFrame::new(Ellipsoid::wgs84(), tower);
+    /// let frame = LocalFrame::new(Ellipsoid::WGS84, tower);
     /// let drone = frame.enu_to_geodetic(Enu { east: 0.0, north: 0.0, up: 0.125 })?;
     /// assert_eq!((drone.lat_lon(), drone.height()), (tower.lat_lon(), 33.125));
     /// # Ok::<(), Box<dyn std::error::Error>>(())

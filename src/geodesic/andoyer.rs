@@ -29,7 +29,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// ```
 /// use terrella::geodesic::{Andoyer, Geodesic};
 /// use terrella::{Ellipsoid, LatLon};
-/// let earth = Andoyer::new(Ellipsoid::<f64>::wgs84())?;
+/// let earth = Andoyer::new(Ellipsoid::<f64>::WGS84)?;
 /// let way = earth.inverse(LatLon::new(59.91, 10.75)?, LatLon::new(-0.18, -78.47)?)?; // 9979.771 km
 /// assert_eq!(format!("{:.1}", way.distance / 1e3), "9979.8");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

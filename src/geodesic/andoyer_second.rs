@@ -28,7 +28,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// ```
 /// use terrella::geodesic::{AndoyerSecond, Geodesic};
 /// use terrella::{Ellipsoid, LatLon};
-/// let earth = AndoyerSecond::new(Ellipsoid::<f64>::wgs84())?;
+/// let earth = AndoyerSecond::new(Ellipsoid::<f64>::WGS84)?;
 /// let way = earth.inverse(LatLon::new(59.91, 10.75)?, LatLon::new(-0.18, -78.47)?)?; // 9979770.89 m
 /// assert_eq!(format!("{:.0}", way.distance), "9979771");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -26,7 +26,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// ```
 /// use terrella::geodesic::{Bowring, Geodesic};
 /// use terrella::{Ellipsoid, LatLon};
-/// let earth = Bowring::new(Ellipsoid::<f64>::wgs84())?;
+/// let earth = Bowring::new(Ellipsoid::<f64>::WGS84)?;
 /// let way = earth.inverse(LatLon::new(48.8584, 2.2945)?, LatLon::new(49.2583, 4.0317)?)?;
 /// assert_eq!(format!("{:.3}", way.distance), "134525.353");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -24,7 +24,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// ```
 /// use terrella::geodesic::{Flat, Geodesic};
 /// use terrella::{Ellipsoid, LatLon};
-/// let earth = Flat::new(Ellipsoid::<f64>::wgs84())?;
+/// let earth = Flat::new(Ellipsoid::<f64>::WGS84)?;
 /// let way = earth.inverse(LatLon::new(48.8584, 2.2945)?, LatLon::new(48.8530, 2.3499)?)?; // 4109.52780 m
 /// assert_eq!(format!("{:.3}", way.distance), "4109.528");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

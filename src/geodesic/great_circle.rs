@@ -21,7 +21,7 @@ use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// ```
 /// use terrella::geodesic::{Geodesic, GreatCircle};
 /// use terrella::{Ellipsoid, LatLon};
-/// let sphere = GreatCircle::new(Ellipsoid::wgs84().mean_radius())?;
+/// let sphere = GreatCircle::new(Ellipsoid::WGS84.mean_radius())?;
 /// let (oslo, quito) = (LatLon::new(59.91, 10.75)?, LatLon::new(-0.18, -78.47)?);
 /// let way: terrella::geodesic::Inverse<f64> = sphere.inverse(oslo, quito)?;
 /// assert_eq!(format!("{:.1} {:.6}", way.distance, way.azimuth1), "9981392.5 -90.765136");

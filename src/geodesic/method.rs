@@ -6,6 +6,7 @@ use super::{
     vincenty,
 };
 use crate::latitude::UnsupportedFlattening;
+use crate::name::unknown;
 use crate::{Ellipsoid, LatLon, Real};
 
 macro_rules! methods {
@@ -18,7 +19,7 @@ macro_rules! methods {
         /// use terrella::geodesic::{Geodesic, Method};
         /// use terrella::{Ellipsoid, LatLon};
         /// let method: Method = "vincenty".parse().unwrap();
-        /// let earth = method.on(Ellipsoid::wgs84()).unwrap();
+        /// let earth = method.on(Ellipsoid::WGS84).unwrap();
         /// let (pole, equator) = (LatLon::new(90.0, 0.0).unwrap(), LatLon::new(0.0, 0.0).unwrap());
         /// let quarter = earth.inverse(pole, equator).unwrap().distance;
         /// assert!((quarter - 10_001_965.729_3_f64).abs() < 1e-4);
@@ -105,19 +106,7 @@ impl fmt::Display for Method {
     }
 }
 
-/// A name that is no method's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct UnknownMethod;
-
-impl fmt::Display for UnknownMethod {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("unknown method; known are")?;
-        Method::ALL.iter().try_for_each(|method| write!(f, " {method}"))
-    }
-}
-
-impl core::error::Error for UnknownMethod {}
+unknown!(UnknownMethod, "method", Method::ALL.iter());
 
 impl FromStr for Method {
     type Err = UnknownMethod;
@@ -127,6 +116,6 @@ impl FromStr for Method {
             .iter()
             .copied()
             .find(|m| m.name() == name)
-            .ok_or(UnknownMethod)
+            .ok_or_else(|| UnknownMethod::new(name))
     }
 }

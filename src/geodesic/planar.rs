@@ -32,7 +32,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// use terrella::geodesic::PlanarArea;
 /// use terrella::{Ellipsoid, LatLon};
 /// let home = LatLon::new(47.397_742_f32, 8.545_594)?;
-/// let area = PlanarArea::local(Ellipsoid::wgs84(), home)?;
+/// let area = PlanarArea::local(Ellipsoid::WGS84, home)?;
 /// // Offsets in degrees, from the difference in f64 or in whole numbers.
 /// let mut field = area.polygon();
 /// for (north, east) in [(0.0, 0.0), (0.0, 0.000_8), (0.000_5, 0.000_9), (0.000_6, 0.0)] {

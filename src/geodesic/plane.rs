@@ -17,7 +17,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// use terrella::geodesic::{Geodesic, Plane};
 /// use terrella::{Ellipsoid, LatLon};
 /// let home = LatLon::new(47.397_742_f32, 8.545_594)?;
-/// let plane = Plane::local(Ellipsoid::wgs84(), home)?;
+/// let plane = Plane::local(Ellipsoid::WGS84, home)?;
 /// // Offsets in degrees, from the difference in f64 or in whole numbers.
 /// let (start, end) = (LatLon::new(0.0, 0.0)?, LatLon::new(0.004_5, -0.006)?);
 /// let way = plane.inverse(start, end)?; // 674.8628 m

@@ -53,7 +53,7 @@ fn straight<T: Real>() -> usize {
 /// use terrella::geodesic::{Geodesic, GeodesicError, Vincenty};
 /// use terrella::{Ellipsoid, LatLon};
 /// // Line (a) of the paper.
-/// let bessel = Vincenty::new(Ellipsoid::<f64>::bessel1841())?;
+/// let bessel = Vincenty::new(Ellipsoid::<f64>::BESSEL1841)?;
 /// let dms = |d: f64, m: f64, s: f64| d + m / 60.0 + s / 3600.0;
 /// let from = LatLon::new(dms(55.0, 45.0, 0.0), 0.0)?;
 /// let to = LatLon::new(-dms(33.0, 26.0, 0.0), dms(108.0, 13.0, 0.0))?;

@@ -13,7 +13,7 @@ use crate::{Ellipsoid, Real};
 ///
 /// ```
 /// use terrella::{Ellipsoid, Latitude, latitude::Conversion};
-/// let authalic = Conversion::new(Ellipsoid::wgs84(), Latitude::Geodetic, Latitude::Authalic).unwrap();
+/// let authalic = Conversion::new(Ellipsoid::WGS84, Latitude::Geodetic, Latitude::Authalic).unwrap();
 /// assert!((authalic.degrees(45.0).unwrap() - 44.871_702_87_f64).abs() < 1e-8);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,6 +3,8 @@
 use core::fmt;
 use core::str::FromStr;
 
+use crate::name::unknown;
+
 mod conversion;
 mod correction;
 mod shifted;
@@ -47,23 +49,11 @@ macro_rules! names {
             type Err = $unknown;
 
             fn from_str(name: &str) -> Result<Self, $unknown> {
-                Self::ALL.iter().copied().find(|k| k.name() == name).ok_or($unknown)
+                Self::ALL.iter().copied().find(|k| k.name() == name).ok_or_else(|| $unknown::new(name))
             }
         }
 
-        #[doc = concat!("A name that is no ", $what, "'s.")]
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-        pub struct $unknown;
-
-        impl fmt::Display for $unknown {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(concat!("unknown ", $what, "; known are"))?;
-                $kind::ALL.iter().try_for_each(|k| write!(f, " {k}"))
-            }
-        }
-
-        impl core::error::Error for $unknown {}
+        unknown!($unknown, $what, $kind::ALL.iter());
     };
 }
 

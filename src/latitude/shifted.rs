@@ -7,7 +7,7 @@ use crate::{Direction, Dual, Ellipsoid, LatLon, Real};
 ///
 /// ```
 /// use terrella::{Ellipsoid, LatLon, Shift, Shifted};
-/// let earth = Shifted::new(Ellipsoid::wgs84(), Shift::Geocentric).unwrap();
+/// let earth = Shifted::new(Ellipsoid::WGS84, Shift::Geocentric).unwrap();
 /// let d = earth.to_direction(LatLon::new(45.0, 0.0).unwrap());
 /// assert!((d.to_lat_lon().lat() - 44.807_576_8_f64).abs() < 1e-7);
 /// ```

@@ -17,7 +17,7 @@ use crate::{Ellipsoid, Enu, Geodetic, LatLon, Real};
 /// use terrella::scene::Expansion;
 /// use terrella::{Ellipsoid, Geodetic, LatLon};
 /// let field = Geodetic::new(LatLon::new(47.4_f32, 8.55)?, 430.0)?;
-/// let about = Expansion::local(Ellipsoid::wgs84(), field);
+/// let about = Expansion::local(Ellipsoid::WGS84, field);
 /// // So many degrees north and east, and metres up, of the field.
 /// let drone = Geodetic::new(LatLon::new(0.001, 0.002)?, 60.0)?;
 /// let enu = about.second_order(drone);

@@ -39,7 +39,7 @@ use crate::math::{max, min, select};
 /// use terrella::terrain::{Enclosure, Heights, Tile};
 /// use terrella::{Ellipsoid, Shift};
 ///
-/// let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Quadrilateralized)?;
+/// let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Quadrilateralized)?;
 /// let enclosure = Enclosure::new(map);
 /// let tile = Tile::new(Face::Front, 10, 600, 700)?;
 /// let bounds = enclosure.of(tile, Heights::new(100.0, 500.0)?);

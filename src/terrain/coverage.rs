@@ -27,7 +27,7 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
     /// use terrella::terrain::{Camera, Enclosure, Heights, Tile};
     /// use terrella::{Ecef, Ellipsoid, Shift};
     ///
-    /// let enclosure = Enclosure::new(CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Balanced)?);
+    /// let enclosure = Enclosure::new(CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Balanced)?);
     /// let eye = Ecef::new(6_478_137.0, 0.0, 0.0)?; // 100 km above 0° N 0° E
     /// let matrix = [[0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0], [0.0; 4], [-1.0, 0.0, 0.0, 0.0]];
     /// let camera = Camera::new(eye, matrix, [1024.0, 1024.0])?;

@@ -35,7 +35,7 @@ impl<P: CubeProjection> Patches<P> {
     /// use terrella::terrain::Patches;
     /// use terrella::{Ellipsoid, Shift};
     ///
-    /// let earth = Ellipsoid::wgs84();
+    /// let earth = Ellipsoid::WGS84;
     /// let patches = Patches::new(CubeMap::new(earth, Shift::Authalic, Tangential)?);
     /// let flatness = [8, 9, 10].map(|level| patches.flatness(level).displacement);
     /// assert!((flatness[0] / flatness[1] - 4.0).abs() < 0.1 && (flatness[1] / flatness[2] - 4.0).abs() < 0.1);
@@ -98,7 +98,7 @@ impl<P: CubeProjection> Patches<P> {
     /// use terrella::terrain::{Heights, Patches};
     /// use terrella::{Ellipsoid, Shift};
     ///
-    /// let earth = |projection| CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection).map(Patches::new);
+    /// let earth = |projection| CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection).map(Patches::new);
     /// let sea = Heights::default();
     /// assert_eq!(earth(Projection::Adjusted)?.plain_level(1.0, sea), Some(12));
     /// // Creased: places would be shifted along the ground.
@@ -130,7 +130,7 @@ impl<P: CubeProjection> Patches<P> {
     /// use terrella::terrain::{Heights, Patches};
     /// use terrella::{Ellipsoid, Shift};
     ///
-    /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Adjusted)?);
+    /// let patches = Patches::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Adjusted)?);
     /// assert!(patches.skirt(8, 65, Heights::default()) < 0.1);
     /// let hills = patches.skirt(8, 65, Heights::new(200.0, 250.0)?);
     /// assert!((50.0..50.1).contains(&hills));

@@ -79,7 +79,7 @@ impl<T: fmt::Debug> core::error::Error for InvalidHeights<T> {}
 /// use terrella::{Ellipsoid, LatLon, Shift, Shifted};
 ///
 /// let (everest, place) = (8848.0_f64, LatLon::new(27.988, 86.925)?);
-/// let earth = Shifted::new(Ellipsoid::wgs84(), Shift::Geocentric)?;
+/// let earth = Shifted::new(Ellipsoid::WGS84, Shift::Geocentric)?;
 /// let lean = lean(&earth, place, everest);
 /// assert_eq!(format!("{:.2} {:.2} {:.3}", lean.east, lean.north, lean.up), "0.00 -24.58 -0.034");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -25,7 +25,7 @@ use crate::{Ecef, Ellipsoid, Real};
 /// use terrella::terrain::Horizon;
 /// use terrella::{Ellipsoid, Geodetic, LatLon};
 ///
-/// let earth = Ellipsoid::<f64>::wgs84();
+/// let earth = Ellipsoid::<f64>::WGS84;
 /// let at = |lat, lon, height| Ok::<_, Box<dyn std::error::Error>>(earth.to_ecef(Geodetic::new(LatLon::new(lat, lon)?, height)?));
 /// // From 1000 m the horizon is 113 km away.
 /// let horizon = Horizon::new(earth, 0.0, at(45.0, 7.0, 1000.0)?);
@@ -86,7 +86,7 @@ impl<T: Real> Horizon<T> {
     /// let eye = Ecef::new(6_388_137.0_f64, 0.0, 0.0)?;
     /// let matrix = [[0.0, 1e-7, 0.0, 0.0], [0.0, 0.0, 1e-7, 0.0], [0.0; 4], [0.0, 0.0, 0.0, 1.0]];
     /// let camera = Camera::new(eye, matrix, [1024.0, 1024.0])?;
-    /// let horizon = Horizon::of(Ellipsoid::wgs84(), 0.0, &camera);
+    /// let horizon = Horizon::of(Ellipsoid::WGS84, 0.0, &camera);
     /// assert!(!horizon.hides(Ecef::new(100_000.0, 6_377_500.0, 0.0)?));
     /// assert!(horizon.hides(Ecef::new(-100_000.0, 6_377_000.0, 0.0)?));
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -39,11 +39,11 @@
 //! use terrella::{Ellipsoid, Enu, Geodetic, LatLon, LocalFrame, Shift};
 //!
 //! // Once: the planet.
-//! let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Balanced)?;
+//! let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Balanced)?;
 //! let (enclosure, patches) = (Enclosure::new(map), Patches::new(map));
 //!
 //! // Once a frame: 2 km above Oslo, straight down, north up, 53° high.
-//! let frame = LocalFrame::new(Ellipsoid::wgs84(), Geodetic::new(LatLon::new(59.9139, 10.7522)?, 2_000.0)?);
+//! let frame = LocalFrame::new(Ellipsoid::WGS84, Geodetic::new(LatLon::new(59.9139, 10.7522)?, 2_000.0)?);
 //! let eye = frame.origin_ecef();
 //! let row = |east, north, up| {
 //!     let [x, y, z] = frame.vector_from_enu(Enu { east, north, up });

@@ -27,7 +27,7 @@ const MOST: u32 = 4097;
 /// use terrella::terrain::{Base, Patches, Tile};
 /// use terrella::{Ellipsoid, Shift};
 ///
-/// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
+/// let patches = Patches::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Quadrilateralized)?);
 /// let tile = Tile::new(Face::Front, 8, 130, 140)?;
 /// let sea = Base::default();
 /// let (mut ox, mut oy, mut oz) = ([0.0; 81], [0.0; 81], [0.0; 81]);

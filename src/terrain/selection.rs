@@ -125,7 +125,7 @@ impl<T: fmt::Debug> core::error::Error for InvalidDetail<T> {}
 /// use terrella::terrain::{Camera, Detail, Enclosure, Heights, Selection, Tile};
 /// use terrella::{Ecef, Ellipsoid, Shift};
 ///
-/// let enclosure = Enclosure::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
+/// let enclosure = Enclosure::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Quadrilateralized)?);
 /// // From 300 km above 0° N 0° E straight down, north up, 53° wide and high.
 /// let eye = Ecef::new(6_678_137.0_f64, 0.0, 0.0)?;
 /// let matrix = [[0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0], [0.0; 4], [-1.0, 0.0, 0.0, 0.0]];

@@ -23,7 +23,7 @@ type Second = Dual<Dual<f64, 2>, 2>;
 /// use terrella::terrain::{Base, Patches, Tile};
 /// use terrella::{Ecef, Ellipsoid, Shift};
 ///
-/// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Balanced)?);
+/// let patches = Patches::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Balanced)?);
 /// let tile = Tile::new(Face::Front, 12, 2100, 2200)?;
 /// assert!(patches.truncation(12) < 1e-3);
 /// let series = patches.series(tile, Base::default())?;
@@ -111,7 +111,7 @@ impl<P: CubeProjection> Patches<P> {
     /// use terrella::terrain::Patches;
     /// use terrella::{Ellipsoid, Shift};
     ///
-    /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Adjusted)?);
+    /// let patches = Patches::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Adjusted)?);
     /// let [coarse, fine] = [8, 9].map(|level| patches.truncation(level));
     /// assert!((coarse / fine - 8.0).abs() < 0.3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

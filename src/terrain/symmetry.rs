@@ -114,7 +114,7 @@ impl Symmetry {
     /// use terrella::terrain::{Base, Patches, Tile};
     /// use terrella::{Ellipsoid, Shift};
     ///
-    /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
+    /// let patches = Patches::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Quadrilateralized)?);
     /// let tile = Tile::new(Face::Left, 5, 3, 30)?;
     /// let (representative, symmetry) = tile.representative();
     /// let fill = |tile| {

@@ -37,7 +37,7 @@ impl Vertices {
     /// use terrella::terrain::{Base, Patches, Tile};
     /// use terrella::{Ecef, Ellipsoid, Shift};
     ///
-    /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
+    /// let patches = Patches::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Quadrilateralized)?);
     /// let patch = patches.of(Tile::new(Face::Front, 12, 2050, 2060)?, Base::default());
     /// let seen = patch.seen_from(Ecef::new(6_378_500.0, 3_000.0, 20_000.0)?);
     /// let corner = seen.at([0, 0], 65, [0.0; 3], patch.normals()[2], 0.0);
@@ -69,7 +69,7 @@ impl Vertices {
     /// use terrella::terrain::{Base, Patches, Tile};
     /// use terrella::{Ecef, Ellipsoid, Shift};
     ///
-    /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Quadrilateralized)?);
+    /// let patches = Patches::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Quadrilateralized)?);
     /// // Once per tile:
     /// let (mut ox, mut oy, mut oz) = ([0.0; 25], [0.0; 25], [0.0; 25]);
     /// let (mut nx, mut ny, mut nz) = ([0.0; 25], [0.0; 25], [0.0; 25]);
@@ -130,7 +130,7 @@ impl Vertices {
     /// use terrella::terrain::{Base, Heights, Patches, Tile};
     /// use terrella::{Ecef, Ellipsoid, Shift};
     ///
-    /// let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Balanced)?);
+    /// let patches = Patches::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Balanced)?);
     /// let level = patches.plain_level(0.01, Heights::new(-11_000.0, 9_000.0)?).ok_or("none")?;
     /// assert_eq!(level, 15);
     /// let patch = patches.of(Tile::new(Face::Front, level, 9_000, 9_000)?, Base::default());

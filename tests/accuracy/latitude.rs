@@ -11,7 +11,7 @@ const ELLIPSOIDS: [&str; 3] = ["wgs84", "oblate10", "prolate150"];
 
 fn conversion<T: Scalar>(ellipsoid: &str, from: Latitude, to: Latitude) -> Conversion<T> {
     let ellipsoid = match ellipsoid {
-        "wgs84" => Ellipsoid::wgs84(),
+        "wgs84" => Ellipsoid::WGS84,
         "oblate10" => Ellipsoid::new(T::of(6.4e6), T::of(0.1)).unwrap(),
         "prolate150" => Ellipsoid::new(T::of(6.4e6), T::of(-1.0 / 150.0)).unwrap(),
         other => panic!("no ellipsoid {other}"),

@@ -57,8 +57,8 @@ fn metres<T: Scalar>(a: LatLon<T>, b: LatLon<T>) -> f64 {
 
 /// The largest displacement of a number of points.
 fn worst<T: Scalar>(projection: Projection, shift: Shift, points: usize, round: fn(f64) -> T) -> f64 {
-    let places = CubeMap::new(Ellipsoid::<f64>::wgs84(), shift, projection).unwrap();
-    let map = CubeMap::new(Ellipsoid::<T>::wgs84(), shift, projection).unwrap();
+    let places = CubeMap::new(Ellipsoid::<f64>::WGS84, shift, projection).unwrap();
+    let map = CubeMap::new(Ellipsoid::<T>::WGS84, shift, projection).unwrap();
     let mut rng = fastrand::Rng::with_seed(3);
     let mut worst = Worst::default();
     for _ in 0..points {

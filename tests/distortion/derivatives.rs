@@ -85,12 +85,12 @@ fn largest_difference(a: &Jacobian<f64>, b: &Jacobian<f64>) -> f64 {
 #[test]
 fn differences_agree_on_every_face_and_ellipsoid() {
     for (ellipsoid, shift) in [
-        (Ellipsoid::wgs84(), Shift::Authalic),
-        (Ellipsoid::wgs84(), Shift::Geocentric),
-        (Ellipsoid::mars(), Shift::Conformal),
+        (Ellipsoid::WGS84, Shift::Authalic),
+        (Ellipsoid::WGS84, Shift::Geocentric),
+        (Ellipsoid::MARS, Shift::Conformal),
         (Ellipsoid::new(1.0, 0.1).unwrap(), Shift::Rectifying),
         (Ellipsoid::new(1e7, -1.0 / 150.0).unwrap(), Shift::Parametric),
-        (Ellipsoid::moon(), Shift::Geodetic),
+        (Ellipsoid::MOON, Shift::Geodetic),
     ] {
         for &projection in Projection::ALL {
             let ground = on(ellipsoid, shift, projection);
@@ -110,7 +110,7 @@ fn differences_agree_on_every_face_and_ellipsoid() {
 
 #[test]
 fn the_pole_is_no_exception() {
-    let ground = on(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Outerra);
+    let ground = on(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Outerra);
     for face in [Face::Top, Face::Bottom] {
         let pole = ground.jacobian(at(face, 0.0, 0.0)).unwrap();
         assert_eq!((pole.aspect(), pole.deformation()), (1.0, 0.0));

@@ -24,7 +24,7 @@ fn on_the_sphere_and_by_the_authalic_latitude_to_1e_13() {
     for projection in EQUAL_AREA {
         for (what, ellipsoid) in [
             ("sphere", Ellipsoid::sphere(6_371_000.0).unwrap()),
-            ("WGS84", Ellipsoid::wgs84()),
+            ("WGS84", Ellipsoid::WGS84),
             ("f = 1/10", Ellipsoid::new(1.0, 0.1).unwrap()),
             ("f = -1/150", Ellipsoid::new(1.0, -1.0 / 150.0).unwrap()),
         ] {
@@ -42,7 +42,7 @@ fn on_the_sphere_and_by_the_authalic_latitude_to_1e_13() {
 fn by_the_geocentric_latitude_within_half_a_percent() {
     for projection in EQUAL_AREA {
         // What a cell of the face covers on the ground: the inverse of the areal scale.
-        let [smallest, largest] = areal(Ellipsoid::wgs84(), Shift::Geocentric, projection);
+        let [smallest, largest] = areal(Ellipsoid::WGS84, Shift::Geocentric, projection);
         let [least, most] = [largest, smallest].map(|scale| 1.0 / (1.0 + scale) - 1.0);
         println!("{projection}: {:+.3} % to {:+.3} %", least * 100.0, most * 100.0);
         assert!(

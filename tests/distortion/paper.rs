@@ -233,7 +233,7 @@ fn the_ellipsoid_changes_the_largest_aspect_of_qsc_little() {
     let sphere = maximum(sphere, 1.0 / sphere);
     for &shift in Shift::ALL {
         for face in [Face::Front, Face::Top] {
-            let ground = on(Ellipsoid::<f64>::wgs84(), shift, projection);
+            let ground = on(Ellipsoid::<f64>::WGS84, shift, projection);
             let mut survey = Survey::new(ground.central_texel());
             survey.face(&ground, face, 201);
             let largest = survey.aspect().max();

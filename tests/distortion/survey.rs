@@ -9,7 +9,7 @@ use crate::sphere::{at, on, unit_sphere};
 #[test]
 fn blocks_count_as_single_places_do() {
     for &projection in Projection::ALL {
-        let ground = on(Ellipsoid::<f64>::wgs84(), Shift::Authalic, projection);
+        let ground = on(Ellipsoid::<f64>::WGS84, Shift::Authalic, projection);
         for n in [1, 7, 32, 65, 100] {
             let reference = ground.central_texel();
             let mut blocks = Survey::new(reference);
@@ -102,7 +102,7 @@ fn how_long_16_million_places_take() {
     for &projection in Projection::ALL {
         for (what, ground) in [
             ("sphere", unit_sphere::<f64, _>(projection)),
-            ("WGS84, authalic", on(Ellipsoid::wgs84(), Shift::Authalic, projection)),
+            ("WGS84, authalic", on(Ellipsoid::WGS84, Shift::Authalic, projection)),
         ] {
             let start = std::time::Instant::now();
             let mut survey = Survey::new(ground.central_texel());

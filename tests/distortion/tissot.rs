@@ -17,7 +17,7 @@ fn near(a: f64, b: f64, tolerance: f64, what: &str) {
 #[test]
 fn its_parts_agree() {
     for &projection in Projection::ALL {
-        let ground = on(Ellipsoid::<f64>::wgs84(), Shift::Authalic, projection);
+        let ground = on(Ellipsoid::<f64>::WGS84, Shift::Authalic, projection);
         for point in places(2000, 3) {
             let t = ground.tissot(point).unwrap();
             let large = maximum(t.major, 1.0).powi(2);
@@ -40,7 +40,7 @@ fn its_parts_agree() {
 #[test]
 fn the_scale_is_largest_along_the_azimuth() {
     for &projection in Projection::ALL {
-        let ground = on(Ellipsoid::<f64>::wgs84(), Shift::Geocentric, projection);
+        let ground = on(Ellipsoid::<f64>::WGS84, Shift::Geocentric, projection);
         for point in places(500, 4) {
             let j = ground.jacobian(point).unwrap();
             let t = ground.tissot(point).unwrap();

@@ -61,7 +61,7 @@ fn ties_go_where_the_documentation_says() {
 
 #[test]
 fn a_sphere_keeps_directions() {
-    let moon = Ellipsoid::<f64>::moon();
+    let moon = Ellipsoid::<f64>::MOON;
     for scale in [1e-310, 1e-200, 1e-20, 1.0, 1e6, 1e20, 1e200] {
         let p = moon.to_geodetic(ecef(3.0 * scale, 4.0 * scale, 5.0 * scale));
         assert!(
@@ -148,7 +148,7 @@ fn scale_does_not_matter() {
 
 #[test]
 fn poles_have_any_longitude_and_one_point() {
-    let e = Ellipsoid::<f64>::wgs84();
+    let e = Ellipsoid::<f64>::WGS84;
     for lon in [-180.0, -90.0, -0.0, 0.0, 33.3, 90.0, 180.0] {
         for lat in [-90.0, 90.0] {
             let p = e.to_ecef(geodetic(lat, lon, 12.5));
@@ -162,7 +162,7 @@ fn poles_have_any_longitude_and_one_point() {
 
 #[test]
 fn the_next_numbers_to_the_axis_and_the_equator_keep_their_angles() {
-    let e = Ellipsoid::<f64>::wgs84();
+    let e = Ellipsoid::<f64>::WGS84;
     for tiny in [5e-324, 1e-300, 1e-100, 1e-9] {
         let p = e.to_geodetic(ecef(6.4e6, 0.0, tiny));
         let expected = (tiny / 6.4e6 / (1.0 - e.e2() * e.a() / 6.4e6)).to_degrees();

@@ -27,7 +27,7 @@ fn worst<T: Scalar>() -> [f64; 3] {
     let mut worst = [Worst::default(); 3];
     for row in truth.exact_in::<T>(&POSITIONS) {
         let [lat1, lon1, h1, lat2, lon2, h2] = POSITIONS.map(|column| row.input::<T>(column));
-        let frame = LocalFrame::new(Ellipsoid::wgs84(), geodetic(lat1, lon1, h1));
+        let frame = LocalFrame::new(Ellipsoid::WGS84, geodetic(lat1, lon1, h1));
         let target = geodetic(lat2, lon2, h2);
         let direct = error(row, frame.geodetic_to_enu(target));
         let range = row.value("range");
@@ -39,7 +39,7 @@ fn worst<T: Scalar>() -> [f64; 3] {
         if range < 1e4 {
             worst[1].add(direct);
         }
-        let through_earth_axes = error(row, frame.to_enu(Ellipsoid::wgs84().to_ecef(target)));
+        let through_earth_axes = error(row, frame.to_enu(Ellipsoid::WGS84.to_ecef(target)));
         worst[2].add(through_earth_axes);
     }
     println!("{} {worst:?}", T::NAME);
@@ -67,7 +67,7 @@ fn pointing<T: Scalar>() -> [f64; 2] {
     let mut worst = [Worst::default(); 2];
     for row in truth.exact_in::<T>(&POSITIONS) {
         let [lat1, lon1, h1, lat2, lon2, h2] = POSITIONS.map(|column| row.input::<T>(column));
-        let frame = LocalFrame::new(Ellipsoid::wgs84(), geodetic(lat1, lon1, h1));
+        let frame = LocalFrame::new(Ellipsoid::WGS84, geodetic(lat1, lon1, h1));
         let aer = frame.geodetic_to_aer(geodetic(lat2, lon2, h2));
         let turn = row.error("azimuth", aer.azimuth);
         let turn = minimum(turn, (turn - 360.0).abs()) * row.value("elevation").to_radians().cos();
@@ -88,7 +88,7 @@ fn pointing_is_as_accurate_as_claimed() {
 
 fn random_frame<T: Scalar>(random: &mut fastrand::Rng) -> LocalFrame<T> {
     let mut part = |size: f64| T::of(size * (2.0 * random.f64() - 1.0));
-    LocalFrame::new(Ellipsoid::wgs84(), geodetic(part(90.0), part(180.0), part(1e4)))
+    LocalFrame::new(Ellipsoid::WGS84, geodetic(part(90.0), part(180.0), part(1e4)))
 }
 
 fn orthonormal<T: Scalar>() {
@@ -189,8 +189,8 @@ fn single_precision_is_within_the_claimed_places() {
             worst.add(ulps_between(single, double));
         }
         let (lat, lon) = (180.0 * random.f32() - 90.0, 360.0 * random.f32() - 180.0);
-        let single = LocalFrame::new(Ellipsoid::wgs84(), geodetic(lat, lon, 0.0)).vector_to_enu([east, north, up]);
-        let frame = LocalFrame::new(Ellipsoid::wgs84(), geodetic(f64::from(lat), f64::from(lon), 0.0));
+        let single = LocalFrame::new(Ellipsoid::WGS84, geodetic(lat, lon, 0.0)).vector_to_enu([east, north, up]);
+        let frame = LocalFrame::new(Ellipsoid::WGS84, geodetic(f64::from(lat), f64::from(lon), 0.0));
         let double = frame.vector_to_enu([east, north, up].map(f64::from));
         let (one, two) = (components(single), components(double));
         worst[3].add(length(&[0, 1, 2].map(|i| one[i] - two[i])) / length(&two));
@@ -227,7 +227,7 @@ fn origin_zenith_and_compass_points() {
 
 #[test]
 fn what_is_not_finite_is_refused() {
-    let frame = LocalFrame::new(Ellipsoid::<f64>::wgs84(), geodetic(10.0, 20.0, 30.0));
+    let frame = LocalFrame::new(Ellipsoid::<f64>::WGS84, geodetic(10.0, 20.0, 30.0));
     assert!(
         frame
             .from_enu(Enu {

@@ -108,7 +108,7 @@ fn ways_back_are_as_accurate_as_claimed() {
 /// Origins where something is special, and vectors that lead over a pole, over ±180°, up, down and nowhere.
 fn special<T: Scalar>() {
     let numbers = |lat: f64, lon: f64, h: f64, [east, north, up]: [f64; 3]| {
-        let frame = LocalFrame::new(Ellipsoid::<T>::wgs84(), geodetic(T::of(lat), T::of(lon), T::of(h)));
+        let frame = LocalFrame::new(Ellipsoid::<T>::WGS84, geodetic(T::of(lat), T::of(lon), T::of(h)));
         let enu = Enu {
             east: T::of(east),
             north: T::of(north),
@@ -152,7 +152,7 @@ fn special<T: Scalar>() {
     let [_, lon, _] = numbers(0.0, -180.0, 0.0, [-1e4, 0.0, 0.0]);
     assert!((lon - 179.910_2).abs() < 1e-3, "{lon}");
     // A metre over ±180°, where the difference of single longitudes is all rounding: the curvature is not lost.
-    let frame = LocalFrame::new(Ellipsoid::<T>::wgs84(), geodetic(T::of(0.0), T::of(-180.0), T::of(0.0)));
+    let frame = LocalFrame::new(Ellipsoid::<T>::WGS84, geodetic(T::of(0.0), T::of(-180.0), T::of(0.0)));
     let beside = T::of(f64::from(180.0_f32.next_down()));
     let seen = frame.geodetic_to_enu(geodetic(T::of(0.0), beside, T::of(0.0)));
     let (east, up): (f64, f64) = (seen.east.into(), seen.up.into());
@@ -179,7 +179,7 @@ fn offsets_of_a_field_keep_millimetres_in_single_precision() {
     let mut rng = Rng::with_seed(4);
     for _ in 0..100_000 {
         let mut part = |size: f64| (size * (2.0 * rng.f64() - 1.0)) as f32;
-        let frame = LocalFrame::new(Ellipsoid::wgs84(), geodetic(part(85.0), part(180.0), part(9e3)));
+        let frame = LocalFrame::new(Ellipsoid::WGS84, geodetic(part(85.0), part(180.0), part(9e3)));
         let enu = Enu {
             east: part(6e3),
             north: part(6e3),
@@ -195,7 +195,7 @@ fn offsets_of_a_field_keep_millimetres_in_single_precision() {
 /// A point on either side of where the way through Earth axes takes over is in one place.
 fn continuous<T: Scalar>(allowed: f64) {
     let mut rng = Rng::with_seed(5);
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     for _ in 0..20_000 {
         let mut part = |size: f64| T::of(size * (2.0 * rng.f64() - 1.0));
         let frame = LocalFrame::new(earth, geodetic(part(90.0), part(180.0), part(1e5)));
@@ -317,7 +317,7 @@ fn any_vector_is_a_position_or_refused() {
         f32::NAN,
     ];
     any(&values);
-    let frame = LocalFrame::new(Ellipsoid::<f64>::wgs84(), geodetic(0.0, 0.0, 0.0));
+    let frame = LocalFrame::new(Ellipsoid::<f64>::WGS84, geodetic(0.0, 0.0, 0.0));
     let aer = Aer {
         azimuth: 0.0,
         elevation: 0.0,
@@ -362,7 +362,7 @@ fn single_next_to_double(count: u32, seed: u64) {
             up: f64::from(enu.up),
         };
         let distance = length(&components(enu));
-        let frame = LocalFrame::new(Ellipsoid::<f32>::wgs84(), geodetic(lat, lon, height));
+        let frame = LocalFrame::new(Ellipsoid::<f32>::WGS84, geodetic(lat, lon, height));
         let earth = Ellipsoid::new(f64::from(frame.ellipsoid().a()), f64::from(frame.ellipsoid().f())).unwrap();
         let origin = geodetic(f64::from(lat), f64::from(lon), f64::from(height));
         let exact = LocalFrame::new(earth, origin);

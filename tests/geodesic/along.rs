@@ -19,7 +19,7 @@ pub struct Errors {
 /// Lines of this length from latitudes in this range on WGS 84, from inputs that are exact in the scalar.
 pub fn measure<T: Scalar>(method: &impl Geodesic<T>, distance: f64, (low, high): (f64, f64)) -> Errors {
     let round = |x: f64| T::of(x);
-    let reference = Reference::new(6_378_137.0, Ellipsoid::<f64>::wgs84().f());
+    let reference = Reference::new(6_378_137.0, Ellipsoid::<f64>::WGS84.f());
     let mut rng = fastrand::Rng::with_seed(distance as u64 ^ low as u64);
     let mut worst = Errors::default();
     for _ in 0..5_000 {

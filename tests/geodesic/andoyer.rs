@@ -20,8 +20,8 @@ const ANYWHERE: (f64, f64) = (0.0, 90.0);
 
 #[test]
 fn the_first_order_holds() {
-    let double = Andoyer::new(Ellipsoid::wgs84()).unwrap();
-    let single = Andoyer::new(Ellipsoid::wgs84()).unwrap();
+    let double = Andoyer::new(Ellipsoid::WGS84).unwrap();
+    let single = Andoyer::new(Ellipsoid::WGS84).unwrap();
     for s in [10.0, 1e3, 1e5, 1e6, 5e6] {
         let claimed = errors([1.5e-6 * s, 4e-6 * s, 6e-6 * s]);
         hold(&double, &single, s, ANYWHERE, claimed);
@@ -41,8 +41,8 @@ fn the_first_order_holds() {
 
 #[test]
 fn the_second_order_holds() {
-    let double = AndoyerSecond::new(Ellipsoid::wgs84()).unwrap();
-    let single = AndoyerSecond::new(Ellipsoid::wgs84()).unwrap();
+    let double = AndoyerSecond::new(Ellipsoid::WGS84).unwrap();
+    let single = AndoyerSecond::new(Ellipsoid::WGS84).unwrap();
     for s in [10.0, 1e3, 1e5, 1e6, 3e6] {
         let claimed = errors([2e-9 * s + 5e-9, 1e-9 * s + 5e-9, 4e-9 * s + 6e-9]);
         hold(&double, &single, s, ANYWHERE, claimed);
@@ -64,7 +64,7 @@ fn the_second_order_holds() {
 /// What the last row of the tables says.
 #[test]
 fn lines_go_around_any_number_of_times() {
-    let earth = Ellipsoid::<f64>::wgs84();
+    let earth = Ellipsoid::<f64>::WGS84;
     for s in [3.5e7, -3.5e7, 1e8, 4e8] {
         let [first, second] = [
             measure(&Andoyer::new(earth).unwrap(), s, ANYWHERE).position,

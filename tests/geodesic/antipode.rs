@@ -11,8 +11,8 @@ use crate::truth::Scalar;
 
 #[test]
 fn it_holds_at_every_distance() {
-    let double = Karney::new(Ellipsoid::wgs84()).unwrap();
-    let single = Karney::new(Ellipsoid::wgs84()).unwrap();
+    let double = Karney::new(Ellipsoid::WGS84).unwrap();
+    let single = Karney::new(Ellipsoid::WGS84).unwrap();
     let claimed = Errors {
         distance: 2.0e-8,
         azimuth: 1.5e-8,

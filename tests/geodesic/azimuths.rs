@@ -221,7 +221,7 @@ fn opposite_latitudes_have_symmetric_azimuths() {
     println!("{double:e} {single:e}");
     // A rounding of an angle beyond 128°.
     assert!(double <= 2.9e-14 && single <= 1.6e-5);
-    let karney = Karney::new(Ellipsoid::<f64>::wgs84()).unwrap();
+    let karney = Karney::new(Ellipsoid::<f64>::WGS84).unwrap();
     // Of the conjugate place, by GeographicLib 2.1 and by 40 digits.
     let line = karney.inverse(place(45.0, 0.0), place(-45.0, 179.572_719)).unwrap();
     assert_eq!(line.azimuth1, line.azimuth2);
@@ -259,7 +259,7 @@ fn inverse_and_solve_agree_in_every_bit() {
 /// The rest of the solution is of the same line: what is known of it from its first azimuth and its distance.
 #[test]
 fn the_whole_solution_is_of_that_line() {
-    let karney = Karney::new(Ellipsoid::<f64>::wgs84()).unwrap();
+    let karney = Karney::new(Ellipsoid::<f64>::WGS84).unwrap();
     let mut rng = fastrand::Rng::with_seed(2);
     let mut worst = [0.0; 3];
     for _ in 0..40_000 {
@@ -281,7 +281,7 @@ fn the_whole_solution_is_of_that_line() {
 /// Areas are under the line of the inverse problem, over whichever pole that goes.
 #[test]
 fn areas_are_under_that_line() {
-    let earth = Ellipsoid::<f64>::wgs84();
+    let earth = Ellipsoid::<f64>::WGS84;
     let (karney, area) = (Karney::new(earth).unwrap(), Area::new(earth).unwrap());
     let mut rng = fastrand::Rng::with_seed(6);
     let opposite = [30.0, -30.0, 0.0, 1e-13, -60.0, 45.0].map(|lat| [lat, 0.0, -lat, 180.0]);

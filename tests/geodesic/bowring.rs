@@ -7,8 +7,8 @@ use crate::along::{Errors, hold};
 
 #[test]
 fn the_table_holds() {
-    let double = Bowring::new(Ellipsoid::wgs84()).unwrap();
-    let single = Bowring::new(Ellipsoid::wgs84()).unwrap();
+    let double = Bowring::new(Ellipsoid::WGS84).unwrap();
+    let single = Bowring::new(Ellipsoid::WGS84).unwrap();
     let table = [
         (1e3, 6e-9, 6.4e-9),
         (1e4, 1e-6, 4e-7),

@@ -56,7 +56,7 @@ fn places_next_to_the_equator_on_both_sides_of_the_180th_meridian() {
 /// the bracket was taken for narrow enough, 0.34 µm off.
 #[test]
 fn next_to_the_equator_where_the_line_leaves_it() {
-    let karney = Karney::new(Ellipsoid::<f64>::wgs84()).unwrap();
+    let karney = Karney::new(Ellipsoid::<f64>::WGS84).unwrap();
     let from = place(-3.802_189_603_447_914e-16, 133.986_035_638_785);
     let to = place(-2.604_281_682_330_787_3e-33, -46.617_474_095_695_265);
     for line in [karney.solve(from, to).inverse, karney.inverse(from, to).unwrap()] {

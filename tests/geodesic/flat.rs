@@ -7,8 +7,8 @@ use crate::along::{Errors, hold};
 
 #[test]
 fn the_table_holds() {
-    let double = Flat::new(Ellipsoid::wgs84()).unwrap();
-    let single = Flat::new(Ellipsoid::wgs84()).unwrap();
+    let double = Flat::new(Ellipsoid::WGS84).unwrap();
+    let single = Flat::new(Ellipsoid::WGS84).unwrap();
     let bands = [(0.0, 30.0), (30.0, 60.0), (60.0, 80.0), (80.0, 89.0)];
     let table = [
         (1e3, [1.4e-6, 6e-6, 6e-5, 6e-3]),

@@ -511,7 +511,7 @@ fn distances_are_those_of_geographiclib_ten_to_the_eight() {
 #[test]
 fn the_scales_between_coincident_places_are_one() {
     fn scales<T: Scalar>() {
-        let karney = Karney::<T>::new(Ellipsoid::wgs84()).unwrap();
+        let karney = Karney::<T>::new(Ellipsoid::WGS84).unwrap();
         for lat in [0.0, 20.001, -45.0, 89.9, 90.0] {
             let here = LatLon::new(T::of(lat), T::of(7.0)).unwrap();
             let whole = karney.solve(here, here);

@@ -29,7 +29,7 @@ fn local<T: Scalar>(shape: (f64, f64), lat: f64, offsets: &[(f64, f64)]) -> f64 
 
 /// Of corners as they are.
 fn absolute<T: Scalar>(corners: &[(f64, f64)]) -> f64 {
-    let area = PlanarArea::<T>::new(Ellipsoid::wgs84()).unwrap();
+    let area = PlanarArea::<T>::new(Ellipsoid::WGS84).unwrap();
     let mut field = area.polygon();
     for &(lat, lon) in corners {
         field.add(place(T::of(lat), T::of(lon)));

@@ -34,8 +34,8 @@ fn a_pole_is_no_way_from_itself() {
 #[test]
 fn lines_pass_a_pole_on_their_side() {
     let (single, double) = (
-        Area::new(Ellipsoid::<f32>::wgs84()).unwrap(),
-        Area::new(Ellipsoid::<f64>::wgs84()).unwrap(),
+        Area::new(Ellipsoid::<f32>::WGS84).unwrap(),
+        Area::new(Ellipsoid::<f64>::WGS84).unwrap(),
     );
     for lat in [89.981_36_f32, 89.0, 80.0, 45.0, 1.0, -1.0, -89.0] {
         for lon in [-2.425_776_7e-9_f32, -1e-20, -1e-7, -1e-5] {
@@ -48,7 +48,7 @@ fn lines_pass_a_pole_on_their_side() {
 }
 
 fn next_to_a_pole<T: Scalar>(most: f64) {
-    let karney = Karney::new(Ellipsoid::<T>::wgs84()).unwrap();
+    let karney = Karney::new(Ellipsoid::<T>::WGS84).unwrap();
     let mut rng = fastrand::Rng::with_seed(19);
     let error = Worst::of((0..20_000).map(|_| {
         // From a place next to a pole, however near, back to it.

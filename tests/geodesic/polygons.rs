@@ -156,8 +156,8 @@ fn ill_conditioned(wgs84: &Theirs, corners: &[(f64, f64)]) -> bool {
 fn worst(seeds: core::ops::Range<u64>, each: u32) -> [f64; 4] {
     let of_seed = |seed| {
         let wgs84 = Theirs::wgs84();
-        let double = Area::<f64>::new(Ellipsoid::wgs84()).unwrap();
-        let single = Area::<f32>::new(Ellipsoid::wgs84()).unwrap();
+        let double = Area::<f64>::new(Ellipsoid::WGS84).unwrap();
+        let single = Area::<f32>::new(Ellipsoid::WGS84).unwrap();
         let mut rng = fastrand::Rng::with_seed(seed);
         let mut worst = [Worst::default(); 4];
         for _ in 0..each {
@@ -218,8 +218,8 @@ fn areas_are_those_of_geographiclib_ten_to_the_six() {
 
 /// Of f64 and f32.
 fn both(corners: &[(f64, f64)]) -> [f64; 2] {
-    let [double, _] = drawn(&Area::<f64>::new(Ellipsoid::wgs84()).unwrap(), corners);
-    let [single, _] = drawn(&Area::<f32>::new(Ellipsoid::wgs84()).unwrap(), corners);
+    let [double, _] = drawn(&Area::<f64>::new(Ellipsoid::WGS84).unwrap(), corners);
+    let [single, _] = drawn(&Area::<f32>::new(Ellipsoid::WGS84).unwrap(), corners);
     [double, single]
 }
 
@@ -271,7 +271,7 @@ fn triangles_with_an_edge_between_opposite_meridians() {
     fn check<T: Scalar>(allowed: f64) {
         let mut rng = fastrand::Rng::with_seed(16);
         let wgs84 = Theirs::wgs84();
-        let area = Area::<T>::new(Ellipsoid::wgs84()).unwrap();
+        let area = Area::<T>::new(Ellipsoid::WGS84).unwrap();
         for _ in 0..2000 {
             let ((lat1, lon), (lat2, _), third) = (even(&mut rng), even(&mut rng), even(&mut rng));
             let rounded = |x: f64| -> f64 { T::of(x).into() };
@@ -391,8 +391,8 @@ fn lunes() {
 #[test]
 fn areas_and_azimuths_take_the_same_pole() {
     fn check<T: Scalar>(allowed: f64) {
-        let area = Area::<T>::new(Ellipsoid::wgs84()).unwrap();
-        let karney = Karney::<T>::new(Ellipsoid::wgs84()).unwrap();
+        let area = Area::<T>::new(Ellipsoid::WGS84).unwrap();
+        let karney = Karney::<T>::new(Ellipsoid::WGS84).unwrap();
         let mut rng = fastrand::Rng::with_seed(17);
         for case in 0..2000 {
             let lat = |rng: &mut fastrand::Rng| f64::from(rng.i8(-89..=89));
@@ -422,8 +422,8 @@ fn areas_and_azimuths_take_the_same_pole() {
 /// The area under the way along a line is that under the line to where it ends.
 #[test]
 fn areas_along_lines() {
-    let area = Area::<f64>::new(Ellipsoid::wgs84()).unwrap();
-    let karney = Karney::<f64>::new(Ellipsoid::wgs84()).unwrap();
+    let area = Area::<f64>::new(Ellipsoid::WGS84).unwrap();
+    let karney = Karney::<f64>::new(Ellipsoid::WGS84).unwrap();
     let wgs84 = Theirs::wgs84();
     let mut rng = fastrand::Rng::with_seed(18);
     for _ in 0..5000 {

@@ -22,7 +22,7 @@ fn dms(degrees: f64, minutes: f64, seconds: f64) -> f64 {
 /// The five lines of table II, from Rainsford (1955): ellipsoid, φ₁, φ₂, L, α₁, α₂ and s as the paper prints them, and how far its azimuths are
 /// off, in seconds.
 fn published() -> [(Ellipsoid<f64>, [f64; 6], f64); 5] {
-    let (bessel, international) = (Ellipsoid::bessel1841(), Ellipsoid::international1924());
+    let (bessel, international) = (Ellipsoid::BESSEL1841, Ellipsoid::INTERNATIONAL1924);
     [
         (
             bessel,
@@ -322,11 +322,11 @@ fn direct<T: Scalar>(name: &str, ellipsoid: Ellipsoid<T>) -> f64 {
 #[test]
 fn it_is_as_accurate_as_claimed() {
     fn hold<T: Scalar>(claimed: f64) -> f64 {
-        let (earth, refused) = inverse::<T>("wgs84", Ellipsoid::wgs84());
-        let (moon, none) = inverse::<T>("moon", Ellipsoid::moon());
+        let (earth, refused) = inverse::<T>("wgs84", Ellipsoid::WGS84);
+        let (moon, none) = inverse::<T>("moon", Ellipsoid::MOON);
         let ends = [
-            direct::<T>("wgs84", Ellipsoid::wgs84()),
-            direct::<T>("moon", Ellipsoid::moon()),
+            direct::<T>("wgs84", Ellipsoid::WGS84),
+            direct::<T>("moon", Ellipsoid::MOON),
         ];
         println!("{}: {earth:e}, {refused} refused; {moon:e}; {ends:?}", T::NAME);
         assert!(refused > 0 && none == 0, "{refused} {none}");
@@ -338,8 +338,8 @@ fn it_is_as_accurate_as_claimed() {
 
 #[test]
 fn it_holds_at_every_distance() {
-    let double = Vincenty::new(Ellipsoid::wgs84()).unwrap();
-    let single = Vincenty::new(Ellipsoid::wgs84()).unwrap();
+    let double = Vincenty::new(Ellipsoid::WGS84).unwrap();
+    let single = Vincenty::new(Ellipsoid::WGS84).unwrap();
     for distance in [1.0, 1e3, 1e5, 1e6, 5e6, 1e7, 1.5e7, 1.9e7] {
         // And what the reference is off.
         let claimed = claim::<f64>(distance) + 1.5e-8;
@@ -403,7 +403,7 @@ fn flatter_and_prolate_ellipsoids_are_refused() {
 #[test]
 fn along_the_equator() {
     fn equator<T: Scalar>(off: f64) {
-        let ellipsoid = Ellipsoid::<T>::wgs84();
+        let ellipsoid = Ellipsoid::<T>::WGS84;
         let (a, f): (f64, f64) = (ellipsoid.a().into(), ellipsoid.f().into());
         let vincenty = Vincenty::new(ellipsoid).unwrap();
         let from = place(T::ZERO, T::ZERO);
@@ -432,7 +432,7 @@ fn along_the_equator() {
 #[test]
 fn opposite_places_are_half_a_meridian_apart() {
     fn opposite<T: Scalar>(off: f64) {
-        let vincenty = Vincenty::new(Ellipsoid::<T>::wgs84()).unwrap();
+        let vincenty = Vincenty::new(Ellipsoid::<T>::WGS84).unwrap();
         for lat in [0.0, 1e-3, 10.0, -10.0, 22.0, 45.0, -67.0, 89.0] {
             let line = vincenty
                 .inverse(place(T::of(lat), T::of(10.0)), place(T::of(-lat), T::of(-170.0)))
@@ -465,7 +465,7 @@ fn opposite_places_are_half_a_meridian_apart() {
 #[test]
 fn it_needs_as_few_steps_as_it_says() {
     fn mean<T: Scalar>(pair: impl Fn(&mut fastrand::Rng) -> [f64; 4]) -> f64 {
-        let vincenty = Vincenty::new(Ellipsoid::<T>::wgs84()).unwrap();
+        let vincenty = Vincenty::new(Ellipsoid::<T>::WGS84).unwrap();
         let mut rng = fastrand::Rng::with_seed(8);
         let counts: Vec<usize> = (0..20_000)
             .filter_map(|_| {

@@ -50,8 +50,8 @@ fn deviations(projection: Projection, ellipsoid: Ellipsoid<f64>, shift: Shift) -
 fn equal_area_cubes_are() {
     for projection in [Projection::Quadrilateralized, Projection::Healpix, Projection::Vertex] {
         for (ellipsoid, shift) in [
-            (Ellipsoid::moon(), Shift::Geodetic),
-            (Ellipsoid::wgs84(), Shift::Authalic),
+            (Ellipsoid::MOON, Shift::Geodetic),
+            (Ellipsoid::WGS84, Shift::Authalic),
             (Ellipsoid::new(1.0, 0.1).unwrap(), Shift::Authalic),
         ] {
             let [all, worst] = deviations(projection, ellipsoid, shift);
@@ -68,8 +68,8 @@ fn equal_area_cubes_are() {
 #[test]
 fn others_are_not() {
     for (projection, ellipsoid, shift) in [
-        (Projection::Cartesian, Ellipsoid::moon(), Shift::Geodetic),
-        (Projection::Adjusted, Ellipsoid::moon(), Shift::Geodetic),
+        (Projection::Cartesian, Ellipsoid::MOON, Shift::Geodetic),
+        (Projection::Adjusted, Ellipsoid::MOON, Shift::Geodetic),
         (Projection::Vertex, Ellipsoid::new(1.0, 0.1).unwrap(), Shift::Geocentric),
     ] {
         let [all, worst] = deviations(projection, ellipsoid, shift);

@@ -205,7 +205,7 @@ impl<'a> Bytes<'a> {
     pub fn ellipsoid<T: Scalar>(&mut self, least: f64, most: f64) -> Ellipsoid<T> {
         let (low, high) = (T::of(least), T::of(most));
         let f = match self.byte() % 8 {
-            0..=2 => return Ellipsoid::wgs84(),
+            0..=2 => return Ellipsoid::WGS84,
             3 => T::ZERO,
             4 => low,
             5 => high,

@@ -170,7 +170,7 @@ fn inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
         T::NAME
     );
     leads(ellipsoid, (from, to), line, allowed + aside + 2.0 * theirs(ellipsoid));
-    if T::NAME == "f32" && expected < 1.5e5 && ellipsoid == Ellipsoid::wgs84() {
+    if T::NAME == "f32" && expected < 1.5e5 && ellipsoid == Ellipsoid::WGS84 {
         let error = (karney.inverse(from, to).unwrap().distance.into() - expected).abs() / maximum(expected, 1.0);
         let allowed = claim("Karney inverse to 150 km, relative to 1 m or more")[1];
         assert!(error <= allowed, "{from:?} {to:?}: {error:e} of {expected:?}");
@@ -291,7 +291,7 @@ fn lengths<T: Scalar>(bytes: &mut Bytes<'_>) {
 
 /// The area under a line of the Earth, where it is well-conditioned.
 fn area<T: Scalar>(bytes: &mut Bytes<'_>) {
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     let (from, to) = bytes.pair::<T>();
     let found: f64 = Area::new(earth).unwrap().under(from, to).into();
     let ((lat1, lon1), (lat2, lon2)) = (coordinates(from), coordinates(to));
@@ -350,7 +350,7 @@ fn corner<T: Scalar>(bytes: &mut Bytes<'_>, middle: LatLon<T>, last: LatLon<T>) 
 
 /// A polygon, as GeographicLib has it, where no edge is ill-conditioned.
 fn polygon<T: Scalar>(bytes: &mut Bytes<'_>) {
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     let area = Area::new(earth).unwrap();
     let mut ours = area.polygon();
     let reference = reference(earth);
@@ -466,7 +466,7 @@ const FLAT: &[(f64, &[Claim])] = &[
 /// What a method claims of a line from a latitude on an ellipsoid: nothing beyond where its table ends.
 fn claim_of<T: Scalar>(method: Method, ellipsoid: Ellipsoid<T>, lat: f64, distance: f64) -> Option<[f64; 3]> {
     let distance = distance.abs();
-    let earth = ellipsoid == Ellipsoid::wgs84();
+    let earth = ellipsoid == Ellipsoid::WGS84;
     let single = T::NAME == "f32";
     let table: &[Claim] = match method {
         Method::Vincenty => {

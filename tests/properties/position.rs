@@ -125,7 +125,7 @@ fn claimed<T: Scalar>(name: &str, height: f64) -> f64 {
 /// How much more than on the Earth is let pass on an ellipsoid whose radii of curvature are larger.
 fn elsewhere<T: Scalar>(ellipsoid: Ellipsoid<T>) -> f64 {
     let curved = (1.0 - ellipsoid.f().into()).powi(2);
-    if ellipsoid == Ellipsoid::wgs84() {
+    if ellipsoid == Ellipsoid::WGS84 {
         1.0
     } else {
         3.0 * maximum(curved, 1.0 / curved)
@@ -227,7 +227,7 @@ fn components<T: Scalar>(enu: Enu<T>) -> [f64; 3] {
 
 /// What is seen from an origin of the Earth is where it is: vectors and points come back, and both ways to a position agree.
 fn frames<T: Scalar>(bytes: &mut Bytes<'_>) {
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     let origin = Geodetic::new(bytes.place(), bytes.within::<T>(1e5)).unwrap();
     let frame = LocalFrame::new(earth, origin);
     let size = bytes.choice(&[1.0, 1e3, 1e5, 1e7]);
@@ -511,7 +511,7 @@ fn latitudes_are_true<T: Scalar>(bytes: &mut Bytes<'_>) {
 #[cfg(test)]
 #[test]
 fn a_pole_is_one_place() {
-    let earth = Ellipsoid::<f64>::wgs84();
+    let earth = Ellipsoid::<f64>::WGS84;
     let pole = terrella::LatLon::new(90.0, 77.0).unwrap();
     let [x, y, z] = exact(earth, pole.into());
     assert_eq!((x.high, y.high), (0.0, 0.0));

@@ -225,7 +225,7 @@ fn geodetic<T: Scalar>(bytes: &mut Bytes<'_>) {
     };
     judge(Ecef::new(x, y, z));
     // A frame's points are finite, or refused.
-    let frame = LocalFrame::new(Ellipsoid::<T>::wgs84(), place.into());
+    let frame = LocalFrame::new(Ellipsoid::<T>::WGS84, place.into());
     let enu = Enu {
         east: x,
         north: y,
@@ -411,7 +411,7 @@ fn name<T: Copy + PartialEq + Debug + Display + FromStr<Err: Error>>(text: &str,
             let words = why.to_string();
             assert!(
                 all.iter()
-                    .all(|kind| words.split(' ').any(|word| word == kind.to_string())),
+                    .all(|kind| words.split([' ', ',']).any(|word| word == kind.to_string())),
                 "{words}"
             );
         }
@@ -441,7 +441,7 @@ fn names<T: Scalar>(bytes: &mut Bytes<'_>) {
     name(&text, Latitude::ALL);
     name(&text, Method::ALL);
     assert_eq!(
-        Ellipsoid::<T>::named(&text).is_some(),
+        Ellipsoid::<T>::named(&text).is_ok(),
         NAMED.contains(&&*text),
         "{text:?}"
     );
@@ -540,7 +540,7 @@ fn beyond_lat_lon<T: Scalar>(bytes: &mut Bytes<'_>) {
         return;
     };
     for &shift in Shift::ALL {
-        let shifted = Shifted::new(Ellipsoid::<T>::wgs84(), shift).unwrap();
+        let shifted = Shifted::new(Ellipsoid::<T>::WGS84, shift).unwrap();
         let direction = shifted.to_direction(place);
         assert!(
             excess(direction.to_array().map(Into::into)).abs() <= 8.0 * T::EPSILON.into(),
@@ -588,7 +588,7 @@ fn beyond_face_point<T: Scalar>(bytes: &mut Bytes<'_>) {
             excess(unit.map(Into::into)).abs() <= 6.0 * T::EPSILON.into(),
             "{projection} {point:?}: {unit:?}"
         );
-        let map = CubeMap::new(Ellipsoid::<T>::wgs84(), shift, projection).unwrap();
+        let map = CubeMap::new(Ellipsoid::<T>::WGS84, shift, projection).unwrap();
         match Ground::new(map).jacobian(point) {
             Ok(jacobian) => {
                 let [least, most] = jacobian.extremes();

@@ -57,9 +57,9 @@ fn used<T: Scalar>(
 
 fn every_map(check: impl Fn(CubeMap<f64, Projection>) + Sync) {
     let shapes = [
-        Ellipsoid::wgs84(),
-        Ellipsoid::moon(),
-        Ellipsoid::mars(),
+        Ellipsoid::WGS84,
+        Ellipsoid::MOON,
+        Ellipsoid::MARS,
         Ellipsoid::new(6.4e6, 0.1).unwrap(),
         Ellipsoid::new(6.4e6, -1.0 / 9.0).unwrap(),
         Ellipsoid::new(1.0, 0.5).unwrap(),
@@ -121,7 +121,7 @@ fn tiles_are_in_their_boxes() {
 
 /// How many times as large as need be the boxes are, along each axis and for the worst tile of each level, on the Earth.
 fn waste(projection: Projection, shift: Shift, level: u8) -> [f64; 3] {
-    let map = CubeMap::new(Ellipsoid::wgs84(), shift, projection).unwrap();
+    let map = CubeMap::new(Ellipsoid::WGS84, shift, projection).unwrap();
     let enclosure = Enclosure::new(map);
     let mut rng = Rng::with_seed(2);
     let mut worst = [0.0_f64; 3];
@@ -273,7 +273,7 @@ fn ranges_that_are_none_are_refused() {
 
 #[test]
 fn a_box_is_what_its_parts_say() {
-    let map = CubeMap::new(Ellipsoid::<f64>::mars(), Shift::Authalic, Projection::Balanced).unwrap();
+    let map = CubeMap::new(Ellipsoid::<f64>::MARS, Shift::Authalic, Projection::Balanced).unwrap();
     let enclosure = Enclosure::new(map);
     let mut rng = Rng::with_seed(4);
     for _ in 0..1000 {

@@ -89,9 +89,9 @@ fn edge_agrees(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile, edge: E
 fn every_map(check: impl Fn(Patches<Projection>) + Sync) {
     Projection::ALL.par_iter().for_each(|&projection| {
         for (ellipsoid, shift) in [
-            (Ellipsoid::wgs84(), Shift::Authalic),
-            (Ellipsoid::moon(), Shift::Geodetic),
-            (Ellipsoid::mars(), Shift::Geocentric),
+            (Ellipsoid::WGS84, Shift::Authalic),
+            (Ellipsoid::MOON, Shift::Geodetic),
+            (Ellipsoid::MARS, Shift::Geocentric),
         ] {
             check(map(ellipsoid, shift, projection));
         }
@@ -239,7 +239,7 @@ fn gap(
 #[test]
 fn gaps_between_levels_are_no_wider_than_said() {
     Projection::ALL.par_iter().for_each(|&projection| {
-        let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
+        let patches = map(Ellipsoid::WGS84, Shift::Authalic, projection);
         let mut rng = Rng::with_seed(4);
         let mut used = 0.0_f64;
         for level in 0..=14 {
@@ -264,7 +264,7 @@ fn gaps_between_levels_are_no_wider_than_said() {
 #[ignore = "a table to look at: cargo test --release --test terrain -- --ignored --nocapture gaps_to_the_side"]
 fn gaps_to_the_side() {
     for &projection in Projection::ALL {
-        let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
+        let patches = map(Ellipsoid::WGS84, Shift::Authalic, projection);
         let mut rng = Rng::with_seed(5);
         let row = [2, 5, 8, 11, 14].map(|level| {
             let mut most = [0.0_f64; 2];

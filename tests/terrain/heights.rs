@@ -19,9 +19,9 @@ fn truth(shifted: &Shifted<f64>, place: LatLon<f64>, height: f64) -> [f64; 3] {
 fn leaning_is_the_difference_of_the_normals() {
     let mut rng = Rng::with_seed(1);
     for ellipsoid in [
-        Ellipsoid::wgs84(),
-        Ellipsoid::moon(),
-        Ellipsoid::mars(),
+        Ellipsoid::WGS84,
+        Ellipsoid::MOON,
+        Ellipsoid::MARS,
         Ellipsoid::new(6.4e6, 0.1).unwrap(),
         Ellipsoid::new(6.4e6, -1.0 / 9.0).unwrap(),
     ] {
@@ -58,7 +58,7 @@ fn leaning_is_the_difference_of_the_normals() {
 #[test]
 fn leaning_is_what_the_paper_shows() {
     let most = |shift| {
-        let earth = Shifted::new(Ellipsoid::wgs84(), shift).unwrap();
+        let earth = Shifted::new(Ellipsoid::WGS84, shift).unwrap();
         Worst::of(
             (-900..=900)
                 .map(|lat| lean(&earth, LatLon::new(f64::from(lat) / 10.0, 0.0).unwrap(), 1000.0))
@@ -78,6 +78,6 @@ fn leaning_is_what_the_paper_shows() {
     );
     assert_eq!(most(Shift::Geodetic), 0.0);
     let north = Direction::new(0.0, 0.0, 1.0_f64).unwrap().to_lat_lon();
-    let earth = Shifted::new(Ellipsoid::wgs84(), Shift::Geocentric).unwrap();
+    let earth = Shifted::new(Ellipsoid::WGS84, Shift::Geocentric).unwrap();
     assert!(lean(&earth, north, 8000.0).north.abs() < 1e-12);
 }

@@ -12,9 +12,9 @@ type Point = [f64; 3];
 
 fn shapes() -> [Ellipsoid<f64>; 5] {
     [
-        Ellipsoid::wgs84(),
-        Ellipsoid::moon(),
-        Ellipsoid::mars(),
+        Ellipsoid::WGS84,
+        Ellipsoid::MOON,
+        Ellipsoid::MARS,
         Ellipsoid::new(6.4e6, 0.3).unwrap(),
         Ellipsoid::new(6.4e6, -0.5).unwrap(),
     ]
@@ -278,7 +278,7 @@ fn rounding_hides_nothing() {
 fn tiles_are_hidden_with_their_boxes() {
     let mut rng = Rng::with_seed(6);
     for projection in [Projection::Quadrilateralized, Projection::Healpix, Projection::Balanced] {
-        let ellipsoid = Ellipsoid::<f64>::wgs84();
+        let ellipsoid = Ellipsoid::<f64>::WGS84;
         let map = CubeMap::new(ellipsoid, Shift::Authalic, projection).unwrap();
         let enclosure = Enclosure::new(map);
         let heights = Heights::new(-500.0, 2_000.0).unwrap();

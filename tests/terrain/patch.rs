@@ -238,7 +238,7 @@ fn slices_are_one_by_one() {
     let mut rng = Rng::with_seed(5);
     for samples in [2, 3, 8, 16, 17, 65] {
         for &projection in Projection::ALL {
-            let patches = map(Ellipsoid::mars(), Shift::Authalic, projection);
+            let patches = map(Ellipsoid::MARS, Shift::Authalic, projection);
             let tile = sample::tile(&mut rng);
             let base = Base::new([0; 4].map(|_| 20_000.0 * rng.f64() - 5_000.0)).unwrap();
             let [o, n] = lifted(&patches, tile, base, samples);
@@ -275,7 +275,7 @@ fn representatives_say_all() {
     Projection::ALL.par_iter().for_each(|&projection| {
         let mut rng = Rng::with_seed(6);
         for shift in [Shift::Authalic, Shift::Geocentric] {
-            let patches = map(Ellipsoid::wgs84(), shift, projection);
+            let patches = map(Ellipsoid::WGS84, shift, projection);
             for round in 0..200 {
                 let tile = match round {
                     0..6 => Tile::root(Face::ALL[round]),
@@ -401,7 +401,7 @@ fn flatness_is_a_bound_and_a_close_one() {
     Projection::ALL.par_iter().for_each(|&projection| {
         let mut ratios = [[f64::INFINITY, 0.0_f64]; 2];
         for level in 0..=22 {
-            let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
+            let patches = map(Ellipsoid::WGS84, Shift::Authalic, projection);
             let found = flat_enough(&patches, level, 300);
             for k in 0..2 {
                 ratios[k] = [minimum(ratios[k][0], found[k]), maximum(ratios[k][1], found[k])];
@@ -420,8 +420,8 @@ fn flatness_is_a_bound_and_a_close_one() {
 #[ignore = "every shape and shift: cargo test --release --test terrain -- --ignored flatness_of_every_map"]
 fn flatness_of_every_map() {
     let shapes = [
-        Ellipsoid::moon(),
-        Ellipsoid::mars(),
+        Ellipsoid::MOON,
+        Ellipsoid::MARS,
         Ellipsoid::new(6.4e6, 0.1).unwrap(),
         Ellipsoid::new(6.4e6, -1.0 / 9.0).unwrap(),
         Ellipsoid::new(6.4e6, 0.5).unwrap(),
@@ -449,7 +449,7 @@ fn flatness_of_every_map() {
 fn flatness_holds_on_a_level_base() {
     Projection::ALL.par_iter().for_each(|&projection| {
         let mut rng = Rng::with_seed(8);
-        for ellipsoid in [Ellipsoid::wgs84(), Ellipsoid::moon()] {
+        for ellipsoid in [Ellipsoid::WGS84, Ellipsoid::MOON] {
             let patches = map(ellipsoid, Shift::Authalic, projection);
             for level in [0, 1, 2, 4, 8, 12, 16] {
                 let Flatness { displacement, turning } = patches.flatness(level);
@@ -490,7 +490,7 @@ fn what_is_no_base_is_refused() {
 fn plain_tiles_are_within_their_tolerance() {
     let heights = Heights::new(-500.0, 8000.0).unwrap();
     Projection::ALL.par_iter().for_each(|&projection| {
-        let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
+        let patches = map(Ellipsoid::WGS84, Shift::Authalic, projection);
         let mut rng = Rng::with_seed(7);
         for tolerance in [0.01, 1.0, 100.0] {
             let level = patches.plain_level(tolerance, heights).unwrap();
@@ -524,7 +524,7 @@ fn plain_levels() {
         ""
     );
     for &projection in Projection::ALL {
-        let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
+        let patches = map(Ellipsoid::WGS84, Shift::Authalic, projection);
         let row = |heights| {
             [1.0, 0.01, 0.001].map(|tolerance| {
                 patches
@@ -538,7 +538,7 @@ fn plain_levels() {
 
 #[test]
 fn what_is_no_patch_is_refused() {
-    let patches = map(Ellipsoid::wgs84(), Shift::Authalic, Projection::Balanced);
+    let patches = map(Ellipsoid::WGS84, Shift::Authalic, Projection::Balanced);
     let tile = Tile::root(Face::Top);
     let (mut o, mut n) = (columns(3), columns(3));
     for samples in [0, 1, 4098, u32::MAX] {

@@ -36,8 +36,8 @@ fn error(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile, height: f64) 
 fn series_are_within_their_truncation() {
     Projection::ALL.par_iter().for_each(|&projection| {
         for (ellipsoid, shift) in [
-            (Ellipsoid::wgs84(), Shift::Authalic),
-            (Ellipsoid::mars(), Shift::Geocentric),
+            (Ellipsoid::WGS84, Shift::Authalic),
+            (Ellipsoid::MARS, Shift::Geocentric),
             (Ellipsoid::new(6.4e6, 0.1).unwrap(), Shift::Parametric),
         ] {
             let patches = map(ellipsoid, shift, projection);
@@ -78,7 +78,7 @@ impl CubeProjection for Cone {
 
 #[test]
 fn a_singular_middle_is_refused() {
-    let patches = Patches::new(CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Cone).unwrap());
+    let patches = Patches::new(CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Cone).unwrap());
     let tile = Tile::root(Face::Front);
     assert_eq!(patches.series(tile, Base::default()).unwrap_err().0, tile.centre());
     assert!(
@@ -98,7 +98,7 @@ fn series_and_patch_meet() {
         Projection::Square,
         Projection::Outerra,
     ] {
-        let patches = map(Ellipsoid::wgs84(), Shift::Authalic, projection);
+        let patches = map(Ellipsoid::WGS84, Shift::Authalic, projection);
         for _ in 0..2000 {
             let level = rng.u8(12..=16);
             let tile = crate::sample::tile_of(&mut rng, level);
@@ -122,7 +122,7 @@ fn series_and_patch_meet() {
 #[ignore = "a table to look at: cargo test --release --test terrain -- --ignored --nocapture truncations"]
 fn truncations() {
     for &projection in Projection::ALL {
-        let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection).unwrap();
+        let map = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection).unwrap();
         let row = [4, 6, 8, 10, 12, 14].map(|level| format!("{:.1e}", Patches::new(map).truncation(level)));
         println!("{:18} {}", projection.name(), row.join(" "));
     }

@@ -10,7 +10,7 @@ fn enclosure(ellipsoid: Ellipsoid<f64>) -> Enclosure<f64, Balanced> {
 
 /// Straight down from above 0° N 0° E, north up; both pictures' halves per unit of distance.
 fn down(height: f64, half: f64, up: f64) -> Camera<f64> {
-    let eye = Ecef::new(Ellipsoid::<f64>::wgs84().a() + height, 0.0, 0.0).unwrap();
+    let eye = Ecef::new(Ellipsoid::<f64>::WGS84.a() + height, 0.0, 0.0).unwrap();
     let matrix = [
         [0.0, 1.0 / half, 0.0, 0.0],
         [0.0, 0.0, up / half, 0.0],
@@ -54,7 +54,7 @@ fn a_parallel_projection_misses_nothing() {
 /// 4 tiles at level 4 with y down, 144 at level 13 with y up.
 #[test]
 fn a_mirrored_picture_has_the_same_tiles() {
-    let enclosure = enclosure(Ellipsoid::wgs84());
+    let enclosure = enclosure(Ellipsoid::WGS84);
     let detail = Detail::new(256, 1.5, 20).unwrap().anisotropic(8.0).unwrap();
     let [up, down] = [1.0, -1.0].map(|up| {
         let camera = down(600_000.0, 0.01, up);
@@ -68,7 +68,7 @@ fn a_mirrored_picture_has_the_same_tiles() {
 /// From Zermatt the Matterhorn: level 11.
 #[test]
 fn ground_above_the_eye_is_as_fine_as_any() {
-    let earth = Ellipsoid::<f64>::wgs84();
+    let earth = Ellipsoid::<f64>::WGS84;
     let enclosure = enclosure(earth);
     let eye = LocalFrame::new(earth, Geodetic::new(LatLon::new(46.02, 7.75).unwrap(), 1610.0).unwrap());
     let peak = LatLon::new(45.9766, 7.6585).unwrap();
@@ -101,7 +101,7 @@ fn ground_above_the_eye_is_as_fine_as_any() {
 /// 73 984 tiles and over three million, where the ground asks for 4; and the same looking ahead.
 #[test]
 fn one_range_of_heights_for_all_tiles_is_bearable() {
-    let enclosure = enclosure(Ellipsoid::wgs84());
+    let enclosure = enclosure(Ellipsoid::WGS84);
     let eye = down(2_000.0, 0.5, 1.0).eye();
     for (tilt, ground) in [(0.0_f64, 4), (30.0, 8), (60.0, 16), (80.0, 24), (90.0, 30)] {
         let (sin, cos) = tilt.to_radians().sin_cos();

@@ -185,8 +185,8 @@ fn every_pixel_is_covered_once() {
         .filter(|&(_, &p)| p != Projection::Cobe);
     closed.for_each(|(seed, &projection)| {
         for (ellipsoid, shift) in [
-            (Ellipsoid::wgs84(), Shift::Authalic),
-            (Ellipsoid::mars(), Shift::Geocentric),
+            (Ellipsoid::WGS84, Shift::Authalic),
+            (Ellipsoid::MARS, Shift::Geocentric),
             (Ellipsoid::new(6.4e6, 0.1).unwrap(), Shift::Conformal),
         ] {
             let map = CubeMap::new(ellipsoid, shift, projection).unwrap();
@@ -209,7 +209,7 @@ fn is_partition(tiles: &[Tile]) -> bool {
 
 #[test]
 fn tiles_are_as_coarse_as_they_may_be() {
-    let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Projection::Balanced).unwrap();
+    let map = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Projection::Balanced).unwrap();
     let enclosure = Enclosure::new(map);
     let mut rng = Rng::with_seed(7);
     for _ in 0..100 {
@@ -236,7 +236,7 @@ fn tiles_are_as_coarse_as_they_may_be() {
 /// A heights function that knows its terrain is used tile by tile.
 #[test]
 fn heights_are_asked_for_each_tile() {
-    let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Adjusted).unwrap();
+    let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Adjusted).unwrap();
     let enclosure = Enclosure::new(map);
     let view = View::random(&mut Rng::with_seed(3), map.shifted().ellipsoid());
     let heights = terrain(&view, &map);
@@ -262,7 +262,7 @@ fn heights_are_asked_for_each_tile() {
 
 /// The paper's Section 5: about 20 to 30 tiles of 512 × 512 samples for 1280 × 1024 pixels.
 fn paper_counts(projection: Projection) -> Vec<usize> {
-    let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Geocentric, projection).unwrap();
+    let map = CubeMap::new(Ellipsoid::WGS84, Shift::Geocentric, projection).unwrap();
     let ellipsoid = map.shifted().ellipsoid();
     let enclosure = Enclosure::new(map);
     let mut rng = Rng::with_seed(11);
@@ -307,7 +307,7 @@ fn tile_counts_are_of_the_papers_kind() {
 #[test]
 fn coverage_of_level_ground_is_its_area() {
     const PARTS: u32 = 128;
-    let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Vertex).unwrap();
+    let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Vertex).unwrap();
     let ellipsoid = map.shifted().ellipsoid();
     let enclosure = Enclosure::new(map);
     let mut rng = Rng::with_seed(5);
@@ -358,7 +358,7 @@ fn coverage_of_level_ground_is_its_area() {
 
 #[test]
 fn a_box_in_the_picture_is_seen() {
-    let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Vertex).unwrap();
+    let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Vertex).unwrap();
     let enclosure = Enclosure::new(map);
     let mut rng = Rng::with_seed(6);
     let (mut seen, mut left_out) = (0, 0);
@@ -391,7 +391,7 @@ fn a_box_in_the_picture_is_seen() {
 /// The footprint of a pixel in texels, by differences of rays.
 #[test]
 fn an_anisotropic_filter_reads_from_its_level() {
-    let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Adjusted).unwrap();
+    let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Adjusted).unwrap();
     let ellipsoid = map.shifted().ellipsoid();
     let mut rng = Rng::with_seed(8);
     let flat = Heights::new(0.0, 0.0).unwrap();
@@ -431,7 +431,7 @@ fn an_anisotropic_filter_reads_from_its_level() {
 
 #[test]
 fn eyes_below_the_ground_see_as_well() {
-    let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Square).unwrap();
+    let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Square).unwrap();
     let ellipsoid = map.shifted().ellipsoid();
     let mut rng = Rng::with_seed(9);
     for height in [-400.0, -100_000.0, -6_000_000.0] {
@@ -452,9 +452,9 @@ fn eyes_below_the_ground_see_as_well() {
 
 #[test]
 fn single_precision_selects_alike() {
-    let wide = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Balanced).unwrap();
+    let wide = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Balanced).unwrap();
     // By its type: all projections with derivatives in single precision take a compiler long.
-    let narrow = CubeMap::new(Ellipsoid::<f32>::wgs84(), Shift::Authalic, Balanced).unwrap();
+    let narrow = CubeMap::new(Ellipsoid::<f32>::WGS84, Shift::Authalic, Balanced).unwrap();
     let enclosure = Enclosure::new(narrow);
     let mut rng = Rng::with_seed(10);
     let (mut alike, mut all) = (0, 0);
@@ -547,7 +547,7 @@ fn what_is_no_detail_is_refused() {
 /// In the order of Morton's keys: it is how the walk knows what is next.
 #[test]
 fn tiles_come_in_order() {
-    let map = CubeMap::new(Ellipsoid::<f64>::wgs84(), Shift::Authalic, Projection::Tangential).unwrap();
+    let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Tangential).unwrap();
     let view = View::new([3e7, 1e6, 2e6], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], 40.0, SCREEN);
     let tiles = selected(map, &view, Detail::new(16, 1.5, 9).unwrap());
     assert!(tiles.len() > 500);

@@ -64,7 +64,7 @@ struct Ground {
 
 impl Ground {
     fn new(rng: &mut Rng) -> Self {
-        let ellipsoid = [Ellipsoid::wgs84(), Ellipsoid::mars(), Ellipsoid::moon()][rng.usize(0..3)];
+        let ellipsoid = [Ellipsoid::WGS84, Ellipsoid::MARS, Ellipsoid::MOON][rng.usize(0..3)];
         let slope = 0.7 * 10_f64.powf(1.5 * rng.f64() - 2.0);
         let lengths = (0..9).flat_map(|k| [30_000.0 * 0.5_f64.powi(k); 2]);
         let waves: Vec<_> = lengths

@@ -16,7 +16,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     positions::<T, V>(visitor);
     latitudes::<T, V>(visitor);
     cubes::<T, V>(visitor);
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     if let (Ok(karney), Ok(vincenty)) = (Karney::new(earth), Vincenty::new(earth)) {
         geodesics(visitor, &karney, "karney");
         geodesics(visitor, &vincenty, "vincenty");
@@ -74,7 +74,7 @@ fn positions<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.visit::<T, _, _>(function("batch::position::to_lat_lon", ""), vectors::<T>, |vectors| {
         into(|places| batch::position::to_lat_lon(lent(&vectors), places))
     });
-    let earth = Ellipsoid::wgs84();
+    let earth = Ellipsoid::WGS84;
     let geodetics = |arguments: &mut Arguments| columns(arguments, [T::of(90.0), T::of(180.0), T::of(1e5)]);
     visitor.visit::<T, _, _>(function("batch::ellipsoid::to_ecef", ""), geodetics, |places| {
         into(|points| batch::ellipsoid::to_ecef(earth, lent(&places), points))
@@ -104,7 +104,7 @@ fn positions<T: Scalar, V: Visitor>(visitor: &mut V) {
 }
 
 fn latitudes<T: Scalar, V: Visitor>(visitor: &mut V) {
-    let earth = Ellipsoid::wgs84();
+    let earth = Ellipsoid::WGS84;
     for &shift in Shift::ALL {
         let Ok(shifted) = Shifted::new(earth, shift) else {
             continue;
@@ -155,7 +155,7 @@ fn cubes<T: Scalar, V: Visitor>(visitor: &mut V) {
             face_points::<T>,
             |(faces, points)| into(|vectors| batch::cube::unproject(projection, &faces, lent(&points), vectors)),
         );
-        let Ok(map) = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection) else {
+        let Ok(map) = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection) else {
             continue;
         };
         visitor.visit::<T, _, _>(function("batch::map::project", name), places::<T>, |places| {

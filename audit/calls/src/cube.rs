@@ -102,7 +102,7 @@ fn maps<T: Scalar, V: Visitor>(visitor: &mut V) {
         Shift::Rectifying,
     ];
     for (&projection, &shift) in Projection::ALL.iter().zip(shifts.iter().cycle()) {
-        let Ok(map) = CubeMap::new(Ellipsoid::wgs84(), shift, projection) else {
+        let Ok(map) = CubeMap::new(Ellipsoid::WGS84, shift, projection) else {
             continue;
         };
         let name = |function| Function::of(function, Projection::name(projection));

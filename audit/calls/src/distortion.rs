@@ -38,7 +38,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
 }
 
 fn grounds<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
-    let Ok(map) = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection) else {
+    let Ok(map) = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection) else {
         return;
     };
     let ground = Ground::new(map);

@@ -4,7 +4,7 @@ use terrella::{Aer, Ellipsoid, Enu, LocalFrame, Ned};
 use crate::{Arguments, Scalar, Visitor};
 
 pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
-    let earth = Ellipsoid::wgs84();
+    let earth = Ellipsoid::WGS84;
     let frame = LocalFrame::new(earth, Arguments::new().geodetic::<T>());
     let three = Arguments::units::<T, 3>;
     let enu = |[east, north, up]: [T; 3]| {

@@ -7,7 +7,7 @@ use terrella::{Ellipsoid, Real};
 use crate::{Arguments, Function, Scalar, Visitor};
 
 pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     for &method in Method::ALL {
         let name = Method::name(method);
         match Method::on(method, earth) {
@@ -145,7 +145,7 @@ fn great_circle<T: Scalar, V: Visitor>(visitor: &mut V) {
 }
 
 fn karney<T: Scalar, V: Visitor>(visitor: &mut V) {
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     let (Ok(karney), Ok(vincenty)) = (Karney::new(earth), Vincenty::new(earth)) else {
         return;
     };
@@ -182,7 +182,7 @@ fn karney<T: Scalar, V: Visitor>(visitor: &mut V) {
 }
 
 fn area<T: Scalar, V: Visitor>(visitor: &mut V) {
-    let Ok(area) = Area::new(Ellipsoid::<T>::wgs84()) else {
+    let Ok(area) = Area::new(Ellipsoid::<T>::WGS84) else {
         return;
     };
     visitor.function::<T, _, _>("Area::under", Arguments::pair::<T>, |[from, to]| {

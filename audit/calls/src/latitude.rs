@@ -4,7 +4,7 @@ use terrella::{Ellipsoid, Latitude, Shift, Shifted};
 use crate::{Arguments, Function, Scalar, Visitor};
 
 pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
-    let earth = Ellipsoid::wgs84();
+    let earth = Ellipsoid::WGS84;
     for &latitude in Latitude::ALL {
         let (Ok(there), Ok(back)) = (
             Conversion::new(earth, Latitude::Geodetic, latitude),

@@ -1,4 +1,4 @@
-use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, NAMED};
+use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon};
 
 use crate::{Arguments, Function, Scalar, Visitor};
 
@@ -24,6 +24,11 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     ellipsoids::<T, V>(visitor);
 }
 
+/// Some of the named ellipsoids.
+const NAMES: [&str; 8] = [
+    "wgs84", "grs80", "clarke1866", "international1924", "airy1830", "bessel1841", "moon", "mars",
+];
+
 fn ellipsoids<T: Scalar, V: Visitor>(visitor: &mut V) {
     let two = Arguments::units::<T, 2>;
     visitor.function::<T, _, _>("Ellipsoid::new", two, |[a, f]| {
@@ -42,24 +47,24 @@ fn ellipsoids<T: Scalar, V: Visitor>(visitor: &mut V) {
         "Ellipsoid::named",
         |arguments| arguments.below(9) as usize,
         |index| {
-            let name = NAMED.get(index).copied().unwrap_or("nothing");
             let earths = [
-                Ellipsoid::<T>::wgs84(),
-                Ellipsoid::grs80(),
-                Ellipsoid::clarke1866(),
-                Ellipsoid::international1924(),
-                Ellipsoid::airy1830(),
-                Ellipsoid::bessel1841(),
+                Ellipsoid::<T>::WGS84,
+                Ellipsoid::GRS80,
+                Ellipsoid::CLARKE1866,
+                Ellipsoid::INTERNATIONAL1924,
+                Ellipsoid::AIRY1830,
+                Ellipsoid::BESSEL1841,
             ];
+            let name = NAMES.get(index).copied().unwrap_or("nothing");
             (
-                Ellipsoid::<T>::named(name),
+                Ellipsoid::<T>::named(name).ok(),
                 earths,
-                [Ellipsoid::<T>::moon(), Ellipsoid::mars()],
+                [Ellipsoid::<T>::MOON, Ellipsoid::MARS],
             )
         },
     );
-    let earth = Ellipsoid::wgs84();
-    let mars = Ellipsoid::mars();
+    let earth = Ellipsoid::WGS84;
+    let mars = Ellipsoid::MARS;
     visitor.function::<T, _, _>("Ellipsoid::to_ecef", Arguments::geodetic::<T>, |place| {
         Ellipsoid::to_ecef(earth, place)
     });

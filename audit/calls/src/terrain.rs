@@ -176,7 +176,7 @@ fn heights<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("Heights::new", Arguments::units::<T, 2>, |[low, high]| {
         Heights::new(low, high).map(|heights| [Heights::low(heights), Heights::high(heights)])
     });
-    let Ok(earth) = Shifted::new(Ellipsoid::<T>::wgs84(), Shift::Geocentric) else {
+    let Ok(earth) = Shifted::new(Ellipsoid::<T>::WGS84, Shift::Geocentric) else {
         return;
     };
     visitor.function::<T, _, _>("terrain::lean", Arguments::geodetic::<T>, |place| {
@@ -190,7 +190,7 @@ fn hills<T: Scalar>() -> Heights<T> {
 
 /// The boxes of an Earth.
 fn enclosure<T: Scalar>(projection: Projection) -> Option<Enclosure<T, Projection>> {
-    let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection).ok()?;
+    let map = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection).ok()?;
     Some(Enclosure::new(map))
 }
 
@@ -265,7 +265,7 @@ fn views<T: Scalar, V: Visitor>(visitor: &mut V) {
     });
     visitor.function::<T, _, _>("Horizon::hides", draw, |(direction, point)| {
         let eye = camera(direction).map(|camera| Camera::eye(&camera));
-        eye.map(|eye| Horizon::hides(&Horizon::new(Ellipsoid::wgs84(), T::of(-500.0), eye), point))
+        eye.map(|eye| Horizon::hides(&Horizon::new(Ellipsoid::WGS84, T::of(-500.0), eye), point))
     });
     visitor.function::<T, _, _>("Detail::new", Arguments::units::<T, 2>, |[ratio, most]| {
         let most = T::of(16.0) * most;
@@ -284,7 +284,7 @@ fn views<T: Scalar, V: Visitor>(visitor: &mut V) {
         let bounds = Enclosure::of(&enclosure, tile, hills());
         [camera(direction), parallel(direction)].map(|camera| {
             let camera = camera?;
-            let horizon = Horizon::of(Ellipsoid::wgs84(), T::of(-500.0), &camera);
+            let horizon = Horizon::of(Ellipsoid::WGS84, T::of(-500.0), &camera);
             Some((
                 Enclosure::coverage(&enclosure, &camera, tile, hills()),
                 Camera::sees(&camera, &bounds),
@@ -358,7 +358,7 @@ fn bases<V: Visitor>(visitor: &mut V) {
 }
 
 fn patches<V: Visitor>(visitor: &mut V, projection: Projection) {
-    let Ok(map) = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection) else {
+    let Ok(map) = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection) else {
         return;
     };
     let patches = Patches::new(map);

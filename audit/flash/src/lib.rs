@@ -148,18 +148,18 @@ functions! {
     }
     vincenty_inverse_from_numbers(numbers: &[T; 4]) -> Option<Inverse<T>> {
         let [from, to] = places(*numbers)?;
-        Vincenty::new(Ellipsoid::wgs84()).ok()?.inverse(from, to).ok()
+        Vincenty::new(Ellipsoid::WGS84).ok()?.inverse(from, to).ok()
     }
     karney_inverse_from_numbers(numbers: &[T; 4]) -> Option<Inverse<T>> {
         let [from, to] = places(*numbers)?;
-        Karney::new(Ellipsoid::wgs84()).ok()?.inverse(from, to).ok()
+        Karney::new(Ellipsoid::WGS84).ok()?.inverse(from, to).ok()
     }
     karney_direct_from_numbers(lat: T, lon: T, azimuth: T, distance: T) -> Option<Direct<T>> {
         let from = LatLon::new(lat, lon).ok()?;
-        Karney::new(Ellipsoid::wgs84()).ok()?.direct(from, azimuth, distance).ok()
+        Karney::new(Ellipsoid::WGS84).ok()?.direct(from, azimuth, distance).ok()
     }
     map_project_from_numbers(lat: T, lon: T) -> Option<FacePoint<T>> {
-        let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, cube::Quadrilateralized).ok()?;
+        let map = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, cube::Quadrilateralized).ok()?;
         Some(map.project(LatLon::new(lat, lon).ok()?))
     }
     map_unproject(map: &CubeMap<T, cube::Quadrilateralized>, point: &FacePoint<T>) -> LatLon<T> { map.unproject(*point) }
@@ -169,7 +169,7 @@ functions! {
     }
     enu_from_numbers(from: &[T; 3], to: &[T; 3]) -> Option<Enu<T>> {
         let place = |[lat, lon, height]: [T; 3]| Geodetic::new(LatLon::new(lat, lon).ok()?, height).ok();
-        Some(LocalFrame::new(Ellipsoid::wgs84(), place(*from)?).geodetic_to_enu(place(*to)?))
+        Some(LocalFrame::new(Ellipsoid::WGS84, place(*from)?).geodetic_to_enu(place(*to)?))
     }
     // A kilometre to five centimetres: the compiler chooses, and links no more than was chosen.
     scene_field_distance(from: &LatLon<T>, to: &LatLon<T>) -> Option<T> {
@@ -180,7 +180,7 @@ functions! {
         Some(WAY.method().inverse(*from, *to).ok()?.distance)
     }
     plane_distance_from_place(place: &LatLon<T>, from: &LatLon<T>, to: &LatLon<T>) -> Option<T> {
-        Some(Plane::local(Ellipsoid::wgs84(), *place).ok()?.inverse(*from, *to).ok()?.distance)
+        Some(Plane::local(Ellipsoid::WGS84, *place).ok()?.inverse(*from, *to).ok()?.distance)
     }
     scene_field_area(corners: &[LatLon<T>]) -> T {
         const AREAS: Areas<T> = match FIELD.within(0.05).areas() {
@@ -190,7 +190,7 @@ functions! {
         AREAS.method().area(corners.iter().copied())
     }
     planar_area_about_place(place: &LatLon<T>, corners: &[LatLon<T>]) -> Option<T> {
-        let mut field = PlanarArea::local(Ellipsoid::wgs84(), *place).ok()?.polygon();
+        let mut field = PlanarArea::local(Ellipsoid::WGS84, *place).ok()?.polygon();
         for corner in corners {
             field.add(*corner);
         }

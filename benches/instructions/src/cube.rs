@@ -17,7 +17,7 @@ impl<T: Real> ProjectionTask for One<'_, T> {
 
     fn run<P: CubeProjection>(self, projection: P) {
         let Self { sweep, points, name } = self;
-        let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, projection).unwrap();
+        let map = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection).unwrap();
         let ground = Ground::new(map);
         let name = |function| format!("{function}, {name}");
         sweep.count(&name("project"), &points.directions, |direction| {
@@ -46,7 +46,7 @@ pub fn projections<T: Real>(sweep: Sweep, points: &Points<T>) {
 }
 
 pub fn distortion<T: Real>(sweep: Sweep, points: &Points<T>) {
-    let map = CubeMap::new(Ellipsoid::wgs84(), Shift::Authalic, Projection::Balanced).unwrap();
+    let map = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Projection::Balanced).unwrap();
     let ground = Ground::new(map);
     let jacobians: Vec<_> = points
         .face_points

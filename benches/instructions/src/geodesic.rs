@@ -8,7 +8,7 @@ use crate::sweep::Sweep;
 
 /// Both problems by one method, named by its own type.
 fn both<T: Real>(sweep: Sweep, method: impl Geodesic<T>, name: &str, pairs: &[Pair<T>]) {
-    let karney = Karney::new(Ellipsoid::wgs84()).unwrap();
+    let karney = Karney::new(Ellipsoid::WGS84).unwrap();
     let starts: Vec<_> = pairs
         .iter()
         .map(|&[from, to]| {
@@ -32,7 +32,7 @@ pub fn methods<T: Real>(sweep: Sweep, points: &Points<T>) {
     ] {
         for &method in Method::ALL {
             let name = &format!("{method}{kind}");
-            match method.on(Ellipsoid::wgs84()).unwrap() {
+            match method.on(Ellipsoid::WGS84).unwrap() {
                 AnyMethod::Haversine(method) => both(sweep, method, name, pairs),
                 AnyMethod::GreatCircle(method) => both(sweep, method, name, pairs),
                 AnyMethod::Flat(method) => both(sweep, method, name, pairs),
@@ -51,7 +51,7 @@ pub fn scene<T: Real>(sweep: Sweep, points: &Points<T>) {
     let origin = LatLon::new(T::of(47.4), T::of(8.5)).unwrap();
     both(
         sweep,
-        Plane::new(Ellipsoid::wgs84(), origin).unwrap(),
+        Plane::new(Ellipsoid::WGS84, origin).unwrap(),
         "plane",
         &points.short,
     );
@@ -101,7 +101,7 @@ pub fn great_circle<T: Real>(sweep: Sweep, points: &Points<T>) {
 }
 
 pub fn karney<T: Real>(sweep: Sweep, points: &Points<T>) {
-    let earth = Ellipsoid::wgs84();
+    let earth = Ellipsoid::WGS84;
     let (karney, area) = (Karney::new(earth).unwrap(), Area::new(earth).unwrap());
     let pairs = &points.ordinary;
     let starts: Vec<_> = points

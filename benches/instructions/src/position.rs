@@ -32,14 +32,14 @@ pub fn positions<T: Real>(sweep: Sweep, points: &Points<T>) {
     sweep.count("Direction::new", &points.vectors, |[x, y, z]| Direction::new(x, y, z));
     sweep.count("Direction::to_lat_lon", &points.directions, Direction::to_lat_lon);
     for &shift in Shift::ALL {
-        let earth = Shifted::new(Ellipsoid::wgs84(), shift).unwrap();
+        let earth = Shifted::new(Ellipsoid::WGS84, shift).unwrap();
         let name = |function| format!("Shifted::{function}, {shift}");
         sweep.count(&name("to_direction"), &points.places, |place| earth.to_direction(place));
         sweep.count(&name("to_lat_lon"), &points.directions, |direction| {
             earth.to_lat_lon(direction)
         });
     }
-    let earth = Ellipsoid::wgs84();
+    let earth = Ellipsoid::WGS84;
     sweep.count("Geodetic::new", &points.places, |place| {
         Geodetic::new(place, place.lat())
     });
@@ -55,7 +55,7 @@ pub fn positions<T: Real>(sweep: Sweep, points: &Points<T>) {
 }
 
 pub fn latitudes<T: Real>(sweep: Sweep, points: &Points<T>) {
-    let (earth, geodetic) = (Ellipsoid::wgs84(), Latitude::Geodetic);
+    let (earth, geodetic) = (Ellipsoid::WGS84, Latitude::Geodetic);
     for &latitude in Latitude::ALL {
         for (from, to) in [(geodetic, latitude), (latitude, geodetic)] {
             if from == to {
@@ -74,7 +74,7 @@ pub fn latitudes<T: Real>(sweep: Sweep, points: &Points<T>) {
 }
 
 pub fn frames<T: Real>(sweep: Sweep, points: &Points<T>) {
-    let earth = Ellipsoid::wgs84();
+    let earth = Ellipsoid::WGS84;
     let places = &points.geodetics;
     let frame = LocalFrame::new(earth, places[0]);
     let ecefs: Vec<_> = places.iter().map(|&place| earth.to_ecef(place)).collect();

@@ -119,7 +119,7 @@ fn positions<T: Single>(kept: &mut bool) {
         let place = Direction::new(x, y, z).ok()?.to_lat_lon();
         Some(maximum(row.truth[0].ulps(place.lat()), row.truth[1].ulps(place.lon())))
     });
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     let to_ecef = |[lat, lon, h]: [T; 3], row: &Row<3, 3>| {
         let point = earth.to_ecef(Geodetic::new(place(lat, lon)?, h).ok()?);
         let [x, y, z] = point.to_array();
@@ -156,7 +156,7 @@ fn positions<T: Single>(kept: &mut bool) {
 
 /// The radii of curvature along the meridian and across it in metres, and the cosine, at a latitude in degrees.
 fn radii(lat: f64) -> ([f64; 2], f64) {
-    let earth = Ellipsoid::<f64>::wgs84();
+    let earth = Ellipsoid::<f64>::WGS84;
     let (sin, cos) = math::sin_cos_degrees(lat);
     let square = 1.0 - earth.e2() * sin * sin;
     let across = earth.a() / sqrt(square);
@@ -166,12 +166,12 @@ fn radii(lat: f64) -> ([f64; 2], f64) {
 /// The Earth's geodetic latitude of another: once in the image, not once for each claim.
 #[inline(never)]
 fn geodetic<T: Single>(from: Latitude, value: T) -> Option<T> {
-    let conversion = Conversion::new(Ellipsoid::wgs84(), from, Latitude::Geodetic).ok()?;
+    let conversion = Conversion::new(Ellipsoid::WGS84, from, Latitude::Geodetic).ok()?;
     conversion.radians(value).ok()
 }
 
 fn latitudes<T: Single>(kept: &mut bool) {
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     let conversion = |from, to| Conversion::new(earth, from, to).ok();
     let angles = [
         Latitude::Geocentric,
@@ -220,7 +220,7 @@ fn beyond_rounding<T: Single>(error: f64, distance: f64) -> f64 {
 }
 
 fn geodesics<T: Single>(kept: &mut bool) {
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     let (Ok(karney), Ok(vincenty), Ok(area), Ok(sphere)) = (
         Karney::new(earth),
         Vincenty::new(earth),

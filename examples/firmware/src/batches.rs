@@ -11,7 +11,7 @@ use crate::stack::depth;
 
 /// Prints a line for each.
 pub fn show<T: Scalar>() {
-    let earth = Ellipsoid::<T>::wgs84();
+    let earth = Ellipsoid::<T>::WGS84;
     let (Ok(karney), Ok(cube)) = (
         Karney::new(earth),
         CubeMap::new(earth, Shift::Authalic, Quadrilateralized),

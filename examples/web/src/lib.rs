@@ -57,7 +57,7 @@ pub extern "C" fn unproject(face: u8, x: f64, y: f64) -> bool {
 pub extern "C" fn inverse(lat1: f64, lon1: f64, lat2: f64, lon2: f64) -> f64 {
     let line = || {
         let (from, to) = (LatLon::new(lat1, lon1).ok()?, LatLon::new(lat2, lon2).ok()?);
-        Method::new(Ellipsoid::wgs84()).ok()?.inverse(from, to).ok()
+        Method::new(Ellipsoid::WGS84).ok()?.inverse(from, to).ok()
     };
     line().map_or(f64::NAN, |line| {
         leave([line.azimuth1, line.azimuth2]);

@@ -5,6 +5,7 @@ use core::str::FromStr;
 
 use super::{Face, FacePoint};
 use crate::math::{max, min, sin_cos_degrees};
+use crate::name::unknown;
 use crate::{Direction, Real};
 
 mod algebraic;
@@ -247,19 +248,7 @@ impl fmt::Display for Projection {
     }
 }
 
-/// A name that is no projection's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct UnknownProjection;
-
-impl fmt::Display for UnknownProjection {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("unknown projection; known are")?;
-        Projection::ALL.iter().try_for_each(|p| write!(f, " {p}"))
-    }
-}
-
-impl core::error::Error for UnknownProjection {}
+unknown!(UnknownProjection, "projection", Projection::ALL.iter());
 
 impl FromStr for Projection {
     type Err = UnknownProjection;
@@ -269,7 +258,7 @@ impl FromStr for Projection {
             .iter()
             .copied()
             .find(|p| p.name() == name)
-            .ok_or(UnknownProjection)
+            .ok_or_else(|| UnknownProjection::new(name))
     }
 }
 

@@ -15,7 +15,7 @@ use crate::{LatLon, Real};
 /// use terrella::geodesic::Karney;
 /// use terrella::{Ellipsoid, LatLon};
 ///
-/// let earth = Karney::new(Ellipsoid::wgs84()).unwrap();
+/// let earth = Karney::new(Ellipsoid::WGS84).unwrap();
 /// let line = earth.line(LatLon::new(40.6_f64, -73.8).unwrap(), 53.5).unwrap();
 /// let point = line.at(1_000_000.0).unwrap();
 /// assert!((point.position.lat() - 45.515_600).abs() < 1e-6);

@@ -48,7 +48,7 @@ pub use polygon::PolygonArea;
 /// use terrella::geodesic::{Geodesic, Karney};
 /// use terrella::{Ellipsoid, LatLon};
 ///
-/// let earth = Karney::new(Ellipsoid::wgs84()).unwrap();
+/// let earth = Karney::new(Ellipsoid::WGS84).unwrap();
 /// let (wellington, salamanca) = (LatLon::new(-41.32, 174.81).unwrap(), LatLon::new(40.96, -5.5).unwrap());
 /// let line = earth.inverse(wellington, salamanca).unwrap();
 /// assert!((line.distance - 19_959_679.267_353_82_f64).abs() < 1e-8);

@@ -13,7 +13,7 @@ use crate::{LatLon, Real};
 /// use terrella::geodesic::Area;
 /// use terrella::{Ellipsoid, LatLon};
 ///
-/// let area = Area::new(Ellipsoid::wgs84()).unwrap();
+/// let area = Area::new(Ellipsoid::WGS84).unwrap();
 /// let mut octant = area.polygon();
 /// for (lat, lon) in [(0.0, 0.0), (0.0, 90.0), (90.0, 0.0)] {
 ///     octant.add(LatLon::new(lat, lon).unwrap());

@@ -1,0 +1,83 @@
+//! What an `Unknown…` error keeps of the text that is no name.
+
+use core::fmt::{self, Write};
+
+/// The beginning of a text: 30 bytes at most, whole characters.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Name {
+    bytes: [u8; 30],
+    length: u8,
+    cut: bool,
+}
+
+impl Name {
+    pub fn new(text: &str) -> Self {
+        let mut bytes = [0; 30];
+        let ends = text.char_indices().map(|(at, letter)| at + letter.len_utf8());
+        let length = ends.take_while(|&end| end <= bytes.len()).last().unwrap_or(0);
+        for (kept, byte) in bytes.iter_mut().zip(text.bytes().take(length)) {
+            *kept = byte;
+        }
+        Self {
+            bytes,
+            length: length as u8,
+            cut: length < text.len(),
+        }
+    }
+
+    /// The text, without what was cut off.
+    pub fn as_str(&self) -> &str {
+        let kept = self.bytes.get(..self.length.into()).unwrap_or_default();
+        core::str::from_utf8(kept).unwrap_or_default()
+    }
+}
+
+impl fmt::Debug for Name {
+    /// In quotation marks, with `…` where it was cut.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(self.as_str(), f)?;
+        if self.cut { f.write_char('…') } else { Ok(()) }
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Name {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=str:?}", self.as_str());
+    }
+}
+
+/// `unknown!(UnknownThing, "thing", names)`: the error of a name that is not in a list.
+macro_rules! unknown {
+    ($error:ident, $what:literal, $known:expr) => {
+        #[doc = concat!("The error for a name that no ", $what, " has. It keeps the first 30 bytes of the name.")]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub struct $error($crate::name::Name);
+
+        impl $error {
+            pub(crate) fn new(name: &str) -> Self {
+                Self($crate::name::Name::new(name))
+            }
+
+            /// The name that was refused: its first 30 bytes at most.
+            #[must_use]
+            pub fn name(&self) -> &str {
+                self.0.as_str()
+            }
+        }
+
+        impl core::fmt::Display for $error {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                write!(f, concat!("unknown ", $what, " {:?}; expected one of:"), self.0)?;
+                $known.enumerate().try_for_each(|(i, name)| {
+                    f.write_str(if i == 0 { " " } else { ", " })?;
+                    write!(f, "{name}")
+                })
+            }
+        }
+
+        impl core::error::Error for $error {}
+    };
+}
+pub(crate) use unknown;
