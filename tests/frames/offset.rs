@@ -229,7 +229,7 @@ fn deep_and_far_points_are_where_earth_axes_have_them() {
 fn past_the_middle_of_the_earth_is_the_other_pole() {
     for pole in [90.0_f32, -90.0] {
         let origin = Geodetic::new(terrella::LatLon::new(pole, 50.749_645).unwrap(), 46_145.14).unwrap();
-        let frame = LocalFrame::new(Ellipsoid::wgs84(), origin);
+        let frame = LocalFrame::new(Ellipsoid::WGS84, origin);
         for (east, north) in [
             (6.681_711_5e-30, 4.983_406_7e-35),
             (-1e-9, 1e-9),
