@@ -3,7 +3,9 @@
 
 use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFacePoint, Projection, QuadCube};
-use terrella::geodesic::{Geodesic, GeodesicError, Karney, Straight, Vincenty};
+use terrella::geodesic::{
+    AnyMethod, Direct, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, Method, Plane, Vincenty,
+};
 use terrella::latitude::{Conversion, InvalidLatitude};
 use terrella::{
     Direction, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon,
@@ -224,7 +226,7 @@ fn pairs<T: Scalar>() -> [Vec<T>; 4] {
     [lat, lon, lat2, lon2]
 }
 
-fn every_geodesic<T: Scalar, M: Straight<T>>(method: &M) {
+fn every_geodesic<T: Scalar, M: Geodesic<T>>(method: &M) {
     let nothing = [T::of(f64::NAN); 3];
     compare(
         "inverse",
@@ -287,6 +289,95 @@ fn geodesics_are_the_same_bits() {
         both::<f64>(f);
         both::<f32>(f);
     }
+}
+
+#[test]
+fn all_methods_are_the_same_bits() {
+    fn both<T: Scalar>() {
+        let earth = Ellipsoid::new(T::of(6.4e6), T::of(1.0 / 298.257)).unwrap();
+        for method in Method::ALL {
+            match method.on(earth).unwrap() {
+                AnyMethod::Haversine(method) => every_geodesic(&method),
+                AnyMethod::GreatCircle(method) => every_geodesic(&method),
+                AnyMethod::Flat(method) => every_geodesic(&method),
+                AnyMethod::Bowring(method) => every_geodesic(&method),
+                AnyMethod::Andoyer(method) => every_geodesic(&method),
+                AnyMethod::AndoyerSecond(method) => every_geodesic(&method),
+                any => every_geodesic(&any),
+            }
+        }
+        every_geodesic(&Plane::new(earth, LatLon::new(T::of(47.0), T::of(8.0)).unwrap()).unwrap());
+    }
+    both::<f64>();
+    both::<f32>();
+}
+
+/// A user's method: a sphere whose places in the west it refuses, and whose lines have a longest one.
+struct East(GreatCircle<f64>);
+
+impl Geodesic<f64> for East {
+    fn inverse(&self, from: LatLon<f64>, to: LatLon<f64>) -> Result<Inverse<f64>, GeodesicError<f64>> {
+        if from.lon() < 0.0 || to.lon() < 0.0 {
+            return Err(GeodesicError::NotConverged(from, to));
+        }
+        self.0.inverse(from, to)
+    }
+
+    fn direct(&self, from: LatLon<f64>, azimuth: f64, distance: f64) -> Result<Direct<f64>, GeodesicError<f64>> {
+        let limit = 3e8;
+        if distance.abs() > limit {
+            return Err(GeodesicError::TooFar { distance, limit });
+        }
+        self.0.direct(from, azimuth, distance)
+    }
+}
+
+/// The same with a fast answer for some places alone.
+struct Fast(East);
+
+impl Geodesic<f64> for Fast {
+    fn inverse(&self, from: LatLon<f64>, to: LatLon<f64>) -> Result<Inverse<f64>, GeodesicError<f64>> {
+        self.0.inverse(from, to)
+    }
+
+    fn direct(&self, from: LatLon<f64>, azimuth: f64, distance: f64) -> Result<Direct<f64>, GeodesicError<f64>> {
+        self.0.direct(from, azimuth, distance)
+    }
+
+    fn fast_inverse(&self, from: LatLon<f64>, to: LatLon<f64>) -> (Inverse<f64>, bool) {
+        let nothing = Inverse {
+            distance: f64::NAN,
+            azimuth1: f64::NAN,
+            azimuth2: f64::NAN,
+        };
+        let (line, found) = self.0.fast_inverse(from, to);
+        let found = found & (from.lat() > 0.0);
+        (if found { line } else { nothing }, found)
+    }
+
+    fn reach(&self) -> f64 {
+        1e7
+    }
+}
+
+#[test]
+fn a_users_method_goes_through() {
+    fn by(method: &impl Geodesic<f64>) {
+        every_geodesic(method);
+        let too_far = GeodesicError::TooFar {
+            distance: -4e8,
+            limit: 3e8,
+        };
+        let mut ends = [[7.0; 3]; 3];
+        let [a, b, c] = &mut ends;
+        let refused = batch::geodesic::direct(method, [&[0.0; 3], &[0.0; 3]], &[1.0; 3], &[1e7, -4e8, 5e8], [a, b, c]);
+        let why = InvalidProblem::Geodesic(too_far);
+        assert_eq!(refused, Err(InvalidBatch::Element { index: 1, why }));
+        assert_eq!(ends, [[7.0; 3]; 3]);
+    }
+    let sphere = GreatCircle::new(6.4e6).unwrap();
+    by(&East(sphere));
+    by(&Fast(East(sphere)));
 }
 
 #[test]

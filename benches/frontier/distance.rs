@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use terrella::batch::geodesic;
-use terrella::geodesic::{AnyMethod, Geodesic, Method, Straight};
+use terrella::geodesic::{AnyMethod, Geodesic, Method};
 use terrella::{Ellipsoid, LatLon};
 
 use crate::bench::{Bench, Mode, Task};
@@ -72,7 +72,7 @@ impl<T: Scalar> Problems<T> {
         bench.run(&self.direct, name, Mode::OneByOne, &direct);
     }
 
-    fn both(&self, bench: &mut Bench, name: &str, method: &impl Straight<T>) {
+    fn both(&self, bench: &mut Bench, name: &str, method: &impl Geodesic<T>) {
         self.one_by_one(bench, name, method);
         // A pair without an answer is NaN, and the others are there.
         let inverse = batch(|[lat1, lon1, lat2, lon2], lines| {

@@ -1,10 +1,10 @@
-//! Distances, azimuths and destinations.
+//! Distances, azimuths and destinations by any [`Geodesic`] method, your own too.
 
 use core::fmt;
 
 use super::InvalidBatch;
 use super::admit::{Constructor, admit};
-use crate::geodesic::{GeodesicError, Straight};
+use crate::geodesic::{Geodesic, GeodesicError};
 use crate::math::select;
 use crate::simd::{BLOCK, Kernel, Sink, front, store, sweep};
 use crate::{InvalidLatLon, LatLon, Real};
@@ -13,9 +13,9 @@ use crate::{InvalidLatLon, LatLon, Real};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidProblem<T> {
-    /// By [`LatLon::new`].
+    /// [`LatLon::new`] refuses the latitude or longitude.
     LatLon(InvalidLatLon<T>),
-    /// By the method.
+    /// The method refuses the problem.
     Geodesic(GeodesicError<T>),
 }
 
@@ -32,10 +32,10 @@ impl<T: fmt::Debug> core::error::Error for InvalidProblem<T> {}
 
 /// One of the two problems, by a method: four numbers to three.
 trait Problem<T: Real>: Copy {
-    /// In a straight line, and whether that is the answer.
-    fn ordinary(&self, input: [T; 4]) -> ([T; 3], bool);
+    /// Without a branch, and whether that is the answer.
+    fn fast(&self, input: [T; 4]) -> ([T; 3], bool);
 
-    /// In any case, of numbers that have passed the constructor.
+    /// The answer for numbers that have passed the constructor.
     fn solve(&self, input: [T; 4]) -> Result<[T; 3], GeodesicError<T>>;
 }
 
@@ -59,12 +59,12 @@ impl<M> Clone for Direct<'_, M> {
 
 impl<M> Copy for Direct<'_, M> {}
 
-impl<T: Real, M: Straight<T>> Problem<T> for Inverse<'_, M> {
+impl<T: Real, M: Geodesic<T>> Problem<T> for Inverse<'_, M> {
     #[inline(always)]
-    fn ordinary(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> ([T; 3], bool) {
+    fn fast(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> ([T; 3], bool) {
         let (line, found) = self
             .0
-            .ordinary_inverse(LatLon::within(lat1, lon1), LatLon::within(lat2, lon2));
+            .fast_inverse(LatLon::within(lat1, lon1), LatLon::within(lat2, lon2));
         ([line.distance, line.azimuth1, line.azimuth2], found)
     }
 
@@ -74,10 +74,10 @@ impl<T: Real, M: Straight<T>> Problem<T> for Inverse<'_, M> {
     }
 }
 
-impl<T: Real, M: Straight<T>> Problem<T> for Direct<'_, M> {
+impl<T: Real, M: Geodesic<T>> Problem<T> for Direct<'_, M> {
     #[inline(always)]
-    fn ordinary(&self, [lat, lon, azimuth, distance]: [T; 4]) -> ([T; 3], bool) {
-        let (end, found) = self.0.ordinary_direct(LatLon::within(lat, lon), azimuth, distance);
+    fn fast(&self, [lat, lon, azimuth, distance]: [T; 4]) -> ([T; 3], bool) {
+        let (end, found) = self.0.fast_direct(LatLon::within(lat, lon), azimuth, distance);
         ([end.position.lat(), end.position.lon(), end.azimuth], found)
     }
 
@@ -87,18 +87,18 @@ impl<T: Real, M: Straight<T>> Problem<T> for Direct<'_, M> {
     }
 }
 
-/// The straight line, and 1 where it is the answer.
-struct Line<P>(P);
+/// The answer of [`Problem::fast`], and 1 where it is one.
+struct Fast<P>(P);
 
-impl<T: Real, P: Problem<T>> Kernel<T, 4, 4> for Line<P> {
+impl<T: Real, P: Problem<T>> Kernel<T, 4, 4> for Fast<P> {
     #[inline(always)]
     fn apply(&self, input: [T; 4]) -> [T; 4] {
-        let ([a, b, c], found) = self.0.ordinary(input);
+        let ([a, b, c], found) = self.0.fast(input);
         [a, b, c, select(found, T::ONE, T::ZERO)]
     }
 }
 
-/// Where the answers go, and the problems they are of: those without a straight line are solved one by one.
+/// Where the answers go, and the problems they belong to: those without a fast answer are solved one by one.
 struct Mended<'a, T, P> {
     problem: P,
     index: usize,
@@ -171,12 +171,15 @@ impl<T: Real> Constructor<T, 4> for Pairs {
 /// A place, an azimuth and a distance.
 struct Starts<'a, M>(&'a M);
 
-impl<T: Real, M: Straight<T>> Constructor<T, 4> for Starts<'_, M> {
+impl<T: Real, M: Geodesic<T>> Constructor<T, 4> for Starts<'_, M> {
     type Error = InvalidProblem<T>;
 
     #[inline(always)]
     fn keeps(&self, [lat, lon, azimuth, distance]: [T; 4]) -> bool {
-        (lat.abs() <= T::of(90.0)) & (lon.abs() <= T::of(180.0)) & azimuth.is_finite() & self.0.reaches(distance)
+        (lat.abs() <= T::of(90.0))
+            & (lon.abs() <= T::of(180.0))
+            & azimuth.is_finite()
+            & (distance.abs() <= self.0.reach())
     }
 
     fn admit(&self, [lat, lon, azimuth, distance]: [T; 4]) -> Result<[T; 4], Self::Error> {
@@ -205,7 +208,7 @@ fn solve<T: Real, P: Problem<T>, D: Constructor<T, 4, Error = InvalidProblem<T>>
             results: front(&mut results, length),
             refused: &mut refused,
         };
-        sweep(Line(problem), inputs, mended);
+        sweep(Fast(problem), inputs, mended);
         index += length;
     })?;
     match refused {
@@ -217,17 +220,17 @@ fn solve<T: Real, P: Problem<T>, D: Constructor<T, 4, Error = InvalidProblem<T>>
     }
 }
 
-/// Latitudes and longitudes of two places (degrees) to distances (metres) and azimuths at both (degrees):
-/// [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse) by [`Karney`](crate::geodesic::Karney) or
-/// [`Vincenty`](crate::geodesic::Vincenty).
+/// Solves the inverse problem for pairs of places: latitudes and longitudes in degrees to distances in metres and azimuths
+/// at both places in degrees, with the bits of [`Geodesic::inverse`].
 ///
-/// Places that have no straight line of arithmetic, nearly antipodal ones for the most part, are treated one
-/// by one.
+/// The fastest methods in a batch are those that override [`Geodesic::fast_inverse`] or are without branches:
+/// [`Karney`](crate::geodesic::Karney), [`Vincenty`](crate::geodesic::Vincenty) and the closed formulas. Pairs without
+/// a fast answer, most of them nearly antipodal, are solved one by one.
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`LatLon::new`] refuses; nothing is written then. For a
-/// pair between which [`Vincenty`](crate::geodesic::Vincenty) does not converge, too: there the results are
-/// NaN, and all others are written.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses a place; nothing is written then. Also if
+/// the method has no answer for a pair, as [`Vincenty`](crate::geodesic::Vincenty) near the antipode: its results are
+/// NaN, all others are written, and the error names the first such pair.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};
@@ -239,7 +242,7 @@ fn solve<T: Real, P: Problem<T>, D: Constructor<T, 4, Error = InvalidProblem<T>>
 /// assert_eq!(distance.map(|d| d.round()), [111_319.0, 5_551_759.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn inverse<T: Real, M: Straight<T>>(
+pub fn inverse<T: Real, M: Geodesic<T>>(
     method: &M,
     from: [&[T]; 2],
     to: [&[T]; 2],
@@ -249,12 +252,12 @@ pub fn inverse<T: Real, M: Straight<T>>(
     solve(Inverse(method), &Pairs, [lat1, lon1, lat2, lon2], lines)
 }
 
-/// Latitudes, longitudes and azimuths (degrees) and distances (metres) to latitudes, longitudes and azimuths there (degrees):
-/// [`Geodesic::direct`](crate::geodesic::Geodesic::direct) by [`Karney`](crate::geodesic::Karney) or
-/// [`Vincenty`](crate::geodesic::Vincenty).
+/// Solves the direct problem for places: latitudes, longitudes and azimuths in degrees and distances in metres to
+/// latitudes, longitudes and azimuths of the destinations in degrees, with the bits of [`Geodesic::direct`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`LatLon::new`] and the method refuse; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or the method refuses an element; nothing is written
+/// then.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};
@@ -264,7 +267,7 @@ pub fn inverse<T: Real, M: Straight<T>>(
 /// assert!((lat[0] - 49.0).abs() < 0.1 && (lon[0] - 2.5).abs() < 0.1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn direct<T: Real, M: Straight<T>>(
+pub fn direct<T: Real, M: Geodesic<T>>(
     method: &M,
     from: [&[T]; 2],
     azimuth: &[T],

@@ -1,15 +1,14 @@
-use super::auxiliary::nearly_round;
-use super::degrees::{heading, latitude_difference, longitude_difference, northward_between_poles, wrapped};
+use super::angle::{heading, latitude_difference, longitude_difference, northward_between_poles, wrapped};
 use super::great_circle::{Delambre, end};
-use super::{Direct, Geodesic, GeodesicError, Inverse};
+use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::{atan2_degrees, max, min, sin_cos, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// Bowring's formulas for short lines (1981): a sphere that touches the ellipsoid at the first place, in closed form.
+/// Bowring's formulas for lines up to 150 km: the great circle on a sphere that touches the ellipsoid at the first place.
 ///
-/// B. R. Bowring, "The direct and inverse problems for short geodesic lines on the ellipsoid", Surveying and Mapping 41. The map to
-/// the sphere is conformal; on it this is [`GreatCircle`](super::GreatCircle).
+/// B. R. Bowring, *The direct and inverse problems for short geodesic lines on the ellipsoid*, Surveying and Mapping 41,
+/// 1981. The map from the ellipsoid to the sphere is conformal, and both problems have a closed form.
 ///
 /// Worst error on the Earth at any latitude, in metres:
 ///
@@ -21,7 +20,8 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 150 km | 4e-3 | 3e-3 |
 /// | 1000 km | 5 | 7 |
 ///
-/// Beyond, it grows with the cube of the distance and faster, up to hundreds of kilometres. `f32` adds 7e-7 of the distance, and 2 m to a position.
+/// Beyond, the error grows with the cube of the distance and faster, up to hundreds of kilometres. `f32` adds 7e-7 of the
+/// distance, and 2 m to a position.
 ///
 /// ```
 /// use terrella::geodesic::{Bowring, Geodesic};
@@ -50,7 +50,7 @@ struct Sphere<T> {
 }
 
 impl<T: Real> Bowring<T> {
-    /// For an ellipsoid.
+    /// Makes the method for an ellipsoid.
     ///
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
@@ -78,15 +78,15 @@ impl<T: Real> Bowring<T> {
 }
 
 impl<T: Real> Geodesic<T> for Bowring<T> {
-    /// Never an error.
+    /// Never fails.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         let of = T::of;
         let Sphere { a, b, radius, u } = self.sphere(from.lat());
         let difference = latitude_difference(from, to);
-        let lat = (difference.angle + difference.rest) * of(RADIAN);
+        let lat = difference.value() * of(RADIAN);
         let difference = longitude_difference(from, to);
-        let w = (difference.angle + difference.rest) * of(RADIAN) * a * of(0.5);
+        let w = difference.value() * of(RADIAN) * a * of(0.5);
         let (sin, _) = sin_cos_degrees(from.lat() * of(2.0) + difference_third(lat));
         let d = lat / (b + b) * (T::ONE + of(0.75) * self.ep2 / (b * b) * lat * sin);
         let (sin_d, cos_d) = sin_cos(d);
@@ -101,6 +101,8 @@ impl<T: Real> Geodesic<T> for Bowring<T> {
         Ok(northward_between_poles(from, to, line))
     }
 
+    /// # Errors
+    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let of = T::of;
@@ -115,6 +117,12 @@ impl<T: Real> Geodesic<T> for Bowring<T> {
             position: LatLon::within(max(min(lat, of(90.0)), of(-90.0)), wrapped(from.lon() + end.lon / a)),
             azimuth: end.azimuth,
         })
+    }
+
+    /// Any finite distance.
+    #[inline(always)]
+    fn reach(&self) -> T {
+        T::pick(f64::MAX, f32::MAX)
     }
 }
 

@@ -1,16 +1,18 @@
-use super::auxiliary::nearly_round;
-use super::degrees::{Split, off_pole};
-use super::middle::{self, Scale};
-use super::{Direct, Geodesic, GeodesicError, Inverse};
+use super::angle::off_pole;
+use super::mid_latitude::{self, Scale};
+use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
+use crate::math::DoubleWord;
 use crate::{Ellipsoid, LatLon, Real};
 
-/// The flat model: a plane whose scales are the radii of curvature at the middle latitude. The cheapest inverse there is.
+/// A plane for short distances, scaled by the radii of curvature at the middle latitude. Few methods are cheaper.
 ///
-/// North M Δφ and east N cos φ Δλ, with M and N at the mean of the latitudes; the azimuths are half of the meridians'
-/// convergence Δλ sin φ to either side of the plane's.
+/// The second place is M Δφ north and N cos φ Δλ east of the first, with the meridional and the prime-vertical radius of
+/// curvature M and N at the mean φ of both latitudes. The azimuths differ from the plane's by half of the convergence of
+/// the meridians, Δλ sin φ, to either side.
 ///
-/// Worst error on the Earth of distance, azimuths × distance, and position of the direct problem, in metres, by the latitude of the first place:
+/// Worst error on the Earth of distance, of azimuths × distance, and of the position in the direct problem, in metres,
+/// by the latitude of the first place:
 ///
 /// | distance | 0 to 30° | 30 to 60° | 60 to 80° | 80 to 89° |
 /// |---|---|---|---|---|
@@ -18,8 +20,9 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 10 km | 1.4e-3 | 6e-3 | 6e-2 | 6 |
 /// | 100 km | 1.4 | 6 | 60 | 1.2e4 |
 ///
-/// It grows with the cube of the distance. Nearer to a pole than ten distances, and beyond 1000 km anywhere, the plane is no model: the numbers
-/// are finite, and up to as wrong as they are large. `f32` adds 7e-7 of the distance, and 2 m to a position.
+/// The error grows with the cube of the distance. Nearer to a pole than ten times the distance, and beyond 1000 km
+/// anywhere, do not use it: results are finite, and may be wrong by their own size. `f32` adds 7e-7 of the distance, and
+/// 2 m to a position.
 ///
 /// ```
 /// use terrella::geodesic::{Flat, Geodesic};
@@ -31,13 +34,14 @@ use crate::{Ellipsoid, LatLon, Real};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias = "equirectangular", alias = "CheapRuler", alias = "flat earth")]
 pub struct Flat<T> {
     a: T,
     e2: T,
 }
 
 impl<T: Real> Flat<T> {
-    /// For an ellipsoid.
+    /// Makes the method for an ellipsoid.
     ///
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
@@ -54,8 +58,8 @@ impl<T: Real> Flat<T> {
     }
 
     #[inline(always)]
-    fn scale(&self, lat: Split<T>) -> Scale<T> {
-        let (sin, cos) = lat.sin_cos();
+    fn scale(&self, lat: DoubleWord<T>) -> Scale<T> {
+        let (sin, cos) = lat.sin_cos_degrees();
         let w2 = T::ONE - self.e2 * sin * sin;
         let radius = self.a * T::of(core::f64::consts::PI / 180.0) / w2.sqrt();
         Scale {
@@ -67,14 +71,22 @@ impl<T: Real> Flat<T> {
 }
 
 impl<T: Real> Geodesic<T> for Flat<T> {
-    /// Never an error.
+    /// Never fails.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        Ok(middle::inverse(from, to, |lat| self.scale(lat)))
+        Ok(mid_latitude::inverse(from, to, |lat| self.scale(lat)))
     }
 
+    /// # Errors
+    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        middle::direct(from, azimuth, distance, |lat| self.scale(lat))
+        mid_latitude::direct(from, azimuth, distance, |lat| self.scale(lat))
+    }
+
+    /// Any finite distance.
+    #[inline(always)]
+    fn reach(&self) -> T {
+        T::pick(f64::MAX, f32::MAX)
     }
 }

@@ -1,12 +1,13 @@
-use super::degrees::{Split, heading, hypot, latitude_difference, longitude_difference, off_pole, wrapped};
+use super::angle::{heading, latitude_difference, longitude_difference, off_pole, wrapped};
 use super::{Direct, Geodesic, GeodesicError, Inverse};
-use crate::math::{atan2, atan2_degrees, select, sin_cos, sin_cos_degrees};
+use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, select, sin_cos, sin_cos_degrees};
 use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
-/// The great circle: the shortest line on a sphere, as accurate between neighbours and near the antipode as anywhere.
+/// The great circle, the shortest line on a sphere. As accurate between neighbours and near the antipode as anywhere
+/// else.
 ///
 /// Delambre's analogies give half of the angle and both azimuths from the halves of the longitudes' difference and of
-/// the latitudes' difference and sum, products all, so that nothing cancels.
+/// the latitudes' difference and sum. They are products only, so that no digits are lost.
 ///
 /// | worst error | `f64` | `f32` |
 /// |---|---|---|
@@ -15,8 +16,8 @@ use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// | destination, up to half a circle away | 1.1e-15 rad | 6.0e-7 rad |
 /// | azimuth there × cosine of the latitude | 1.5e-15 rad | 8.0e-7 rad |
 ///
-/// Farther away the destination's error grows by 1e-16 (6e-8) of the distance. As a model of the Earth,
-/// whatever the radius, a sphere is up to 0.56 % off.
+/// Beyond half a circle the destination's error grows by 1e-16 (`f32`: 6e-8) of the distance. As a model of the Earth a
+/// sphere of any radius is up to 0.56 % wrong.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, GreatCircle};
@@ -31,18 +32,19 @@ use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias = "orthodrome", alias = "spherical")]
 pub struct GreatCircle<T> {
     radius: T,
 }
 
-/// Where a place lies along and beside a great circle.
+/// Where a place lies along and beside a great circle, in radians.
 struct Track<T> {
     along: T,
     cross: T,
 }
 
-/// Two places and the line between them, by Delambre's four products: sine and cosine of half the sum of the azimuths
-/// times the sine of half the side, and of half their difference times its cosine.
+/// The line between two places, by Delambre's four products: sine and cosine of half the sum of the azimuths times the
+/// sine of half the side, and of half their difference times its cosine.
 pub(super) struct Delambre<T> {
     sum: (T, T),
     difference: (T, T),
@@ -65,9 +67,9 @@ impl<T: Real> Delambre<T> {
     #[inline(always)]
     pub fn between(from: LatLon<T>, to: LatLon<T>) -> Self {
         Self::new(
-            longitude_difference(from, to).half().sin_cos(),
-            latitude_difference(from, to).half().sin_cos(),
-            Split::sum(from.lat(), to.lat()).half().sin_cos(),
+            longitude_difference(from, to).half().sin_cos_degrees(),
+            latitude_difference(from, to).half().sin_cos_degrees(),
+            DoubleWord::sum(from.lat(), to.lat()).half().sin_cos_degrees(),
         )
     }
 
@@ -98,7 +100,7 @@ impl<T: Real> Delambre<T> {
 }
 
 impl<T: Real> GreatCircle<T> {
-    /// On a sphere of the given radius in metres, for instance an [`Ellipsoid::mean_radius`].
+    /// Makes the method for a sphere of this radius in metres, for instance [`Ellipsoid::mean_radius`].
     ///
     /// # Errors
     /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.
@@ -106,26 +108,27 @@ impl<T: Real> GreatCircle<T> {
         Ellipsoid::sphere(radius).map(|_| Self::within(radius))
     }
 
-    /// For a radius known to be one.
+    /// For a radius known to be valid.
     pub(crate) const fn within(radius: T) -> Self {
         Self { radius }
     }
 
-    /// On the sphere of an ellipsoid's mean radius, which is one wherever the ellipsoid is.
+    /// For the sphere of an ellipsoid's mean radius, which is valid if the ellipsoid is.
     pub(crate) fn mean(ellipsoid: Ellipsoid<T>) -> Self {
         Self::within(ellipsoid.mean_radius())
     }
 
-    /// The radius in metres.
+    /// Returns the radius in metres.
     #[must_use]
     #[inline(always)]
     pub fn radius(&self) -> T {
         self.radius
     }
 
-    /// The distance in metres between two places whose latitude and longitude are in radians.
+    /// Returns the distance in metres between two places, `[latitude, longitude]` in radians.
     ///
-    /// Worst error as in degrees, for latitudes up to π/2 and any longitude up to 10⁴ (`f64`) or 50 (`f32`); NaN beyond.
+    /// The worst error is that of the distance above, for latitudes in [−π/2, π/2] and longitudes up to ±10⁴ (`f32`:
+    /// ±50). Beyond, the result is NaN.
     ///
     /// ```
     /// use core::f64::consts::PI;
@@ -136,19 +139,18 @@ impl<T: Real> GreatCircle<T> {
     #[must_use]
     pub fn distance_radians(&self, from: [T; 2], to: [T; 2]) -> T {
         let half = |x: T, y: T| {
-            let Split { angle, rest } = Split::sum(x, y).half();
-            let (sin, cos) = sin_cos(angle);
-            (sin + cos * rest, cos - sin * rest)
+            let DoubleWord { high, low } = DoubleWord::sum(x, y).half();
+            let (sin, cos) = sin_cos(high);
+            (sin + cos * low, cos - sin * low)
         };
         let ([lat1, lon1], [lat2, lon2]) = (from, to);
         Delambre::new(half(lon2, -lon1), half(lat2, -lat1), half(lat1, lat2)).angle() * self.radius
     }
 
-    /// The angle between two directions in radians, in [0, π].
+    /// Returns the angle between two directions in radians, in [0, π].
     ///
-    /// Worst relative error 4.0e-16 (`f64`), 2.2e-7 (`f32`), down to angles of 1e-12, where the directions' own lengths still differ by rounding.
-    ///
-    /// The cross product is that of the difference and the sum, which are at right angles: it cancels nowhere.
+    /// Worst relative error 4.0e-16 (`f32`: 2.2e-7), for angles down to 1e-12; the rounding of the directions' own lengths
+    /// shows in smaller ones.
     ///
     /// ```
     /// use terrella::{Direction, geodesic::GreatCircle};
@@ -159,6 +161,7 @@ impl<T: Real> GreatCircle<T> {
     #[must_use]
     pub fn angle_radians(a: Direction<T>, b: Direction<T>) -> T {
         let ([ax, ay, az], [bx, by, bz]) = (a.to_array(), b.to_array());
+        // The cross product of the difference and the sum, which are at right angles: nothing cancels.
         let (ux, uy, uz) = (ax - bx, ay - by, az - bz);
         let (vx, vy, vz) = (ax + bx, ay + by, az + bz);
         let (x, y, z) = (uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
@@ -167,12 +170,13 @@ impl<T: Real> GreatCircle<T> {
         atan2(cross, dot + dot)
     }
 
-    /// Where a fraction of the way is done: 0 at the first place, 1 at the second; beyond on the same circle.
+    /// Returns the place at a fraction of the line between two places: 0 is the first place, 1 the second; other
+    /// fractions lie beyond, on the same circle.
     ///
-    /// Worst error that of the destination. Between antipodes, on the way that [`Geodesic::inverse`] takes.
+    /// The worst error is that of the destination. Between antipodes the line is that of [`Geodesic::inverse`].
     ///
     /// # Errors
-    /// [`GeodesicError::Fraction`] if the fraction, or it times the distance, is not finite.
+    /// [`GeodesicError::Fraction`] if the fraction, or its product with the distance, is infinite or NaN.
     ///
     /// ```
     /// use terrella::{LatLon, geodesic::GreatCircle};
@@ -189,7 +193,7 @@ impl<T: Real> GreatCircle<T> {
             .map_err(|_| GeodesicError::Fraction(fraction))
     }
 
-    /// Halfway between two places.
+    /// Returns the place halfway between two places. The worst error is that of the destination.
     ///
     /// ```
     /// use terrella::{LatLon, geodesic::GreatCircle};
@@ -204,10 +208,11 @@ impl<T: Real> GreatCircle<T> {
         destination(from, sin_cos_degrees(line.azimuths().0), line.angle() * T::of(0.5)).position
     }
 
-    /// How far a place is from the great circle through two others, in metres: positive to the right of the way from start to end.
+    /// Returns the distance in metres of a place from the great circle through `start` and `end`: positive to the right
+    /// of the way from start to end, negative to the left.
     ///
-    /// Worst error 2e-15 (`f64`), 1e-6 (`f32`) of the distance from the start to the place, for legs of any
-    /// length; beyond one radius from the start, that part of the radius. On the Earth:
+    /// The worst error is 2e-15 (`f32`: 1e-6) of the distance from the start to the place, or of the radius if that is
+    /// less, for legs of any length. On the Earth:
     ///
     /// | from the start | `f64` | `f32` |
     /// |---|---|---|
@@ -216,7 +221,7 @@ impl<T: Real> GreatCircle<T> {
     /// | 1000 km | 2 nm | 1 m |
     /// | 6371 km and more | 13 nm | 6.4 m |
     ///
-    /// The circle of coincident or antipodal ends runs along [`Inverse::azimuth1`].
+    /// If start and end coincide or are antipodes, the circle is the one along [`Inverse::azimuth1`].
     ///
     /// ```
     /// use terrella::{LatLon, geodesic::GreatCircle};
@@ -232,10 +237,11 @@ impl<T: Real> GreatCircle<T> {
         track(place, start, end).cross * self.radius
     }
 
-    /// How far from the start, along the great circle to the end, the point nearest to a place is, in metres; negative behind the start.
+    /// Returns the distance in metres from the start, along the great circle through `start` and `end`, to the point of
+    /// that circle nearest to a place; negative behind the start.
     ///
-    /// Worst error that of [`cross_track`](Self::cross_track), divided by the cosine of its angle: the
-    /// cross-track distance in radii.
+    /// The worst error is that of [`cross_track`](Self::cross_track), divided by the cosine of the cross-track distance
+    /// in radii.
     #[must_use]
     pub fn along_track(&self, place: LatLon<T>, start: LatLon<T>, end: LatLon<T>) -> T {
         track(place, start, end).along * self.radius
@@ -243,8 +249,8 @@ impl<T: Real> GreatCircle<T> {
 }
 
 impl<T: Real> Geodesic<T> for GreatCircle<T> {
-    /// Never an error.
-    // Small, it is inlined: who takes the distance alone does not pay for the azimuths.
+    /// Never fails.
+    // Inlined for size: who takes the distance alone does not pay for the azimuths.
     #[cfg_attr(small, inline(always))]
     #[cfg_attr(not(small), inline)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
@@ -257,7 +263,10 @@ impl<T: Real> Geodesic<T> for GreatCircle<T> {
         })
     }
 
-    /// Any number of circuits; their count loses digits as any large number does.
+    /// Goes round any number of times.
+    ///
+    /// # Errors
+    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let heading = heading(azimuth, distance)?;
@@ -269,6 +278,12 @@ impl<T: Real> Geodesic<T> for GreatCircle<T> {
         };
         Ok(destination(from, heading, distance / self.radius))
     }
+
+    /// Any finite distance.
+    #[inline(always)]
+    fn reach(&self) -> T {
+        T::pick(f64::MAX, f32::MAX)
+    }
 }
 
 /// The end of an arc of a great circle: latitude, longitude from the start, and azimuth, in degrees.
@@ -278,7 +293,7 @@ pub(super) struct End<T> {
     pub azimuth: T,
 }
 
-/// Along a great circle, from sine and cosine of the latitude, the azimuth and the arc. The latitude is that whose tangent is
+/// The end of an arc, from sine and cosine of the latitude, the azimuth and the arc. Its latitude is that whose tangent is
 /// 1/`axes` times the tangent on the sphere.
 #[cfg_attr(not(small), inline(always))]
 pub(super) fn end<T: Real>((sin1, cos1): (T, T), azimuth: (T, T), (sin, cos): (T, T), axes: T) -> End<T> {
@@ -295,7 +310,7 @@ pub(super) fn end<T: Real>((sin1, cos1): (T, T), azimuth: (T, T), (sin, cos): (T
     }
 }
 
-/// Along a great circle by an angle in radians, from the sine and cosine of the azimuth.
+/// The end of a line of so many radians, from sine and cosine of its azimuth.
 #[inline(always)]
 fn destination<T: Real>(from: LatLon<T>, azimuth: (T, T), angle: T) -> Direct<T> {
     let end = end(sin_cos_degrees(from.lat()), azimuth, sin_cos(angle), T::ONE);
@@ -305,7 +320,6 @@ fn destination<T: Real>(from: LatLon<T>, azimuth: (T, T), angle: T) -> Direct<T>
     }
 }
 
-/// Along and beside the great circle from start to end, in radians.
 fn track<T: Real>(place: LatLon<T>, start: LatLon<T>, end: LatLon<T>) -> Track<T> {
     let line = Delambre::between(start, place);
     let (sin, cos) = sin_cos(line.angle());

@@ -1,13 +1,14 @@
-use super::degrees::{hypot, latitude_difference, longitude_difference};
+use super::angle::{latitude_difference, longitude_difference};
 use super::great_circle::Delambre;
 use super::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse};
-use crate::math::{atan2, min, sin_cos_degrees};
+use crate::math::{atan2, hypot, min, sin_cos_degrees};
 use crate::{Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
-/// The great circle by the haversine formula, as most programs have it.
+/// The great circle by the haversine formula, as most programs have it: to reproduce their figures.
 ///
-/// sin²(σ/2) = sin²(Δφ/2) + cos φ₁ cos φ₂ sin²(Δλ/2), clamped to 1 (Sinnott, 1984). Good between neighbours; near the
-/// antipode 1 − sin²(σ/2) is lost to rounding, and with it half of the digits. [`GreatCircle`] costs no more and has no such weakness.
+/// sin²(σ/2) = sin²(Δφ/2) + cos φ₁ cos φ₂ sin²(Δλ/2), clamped to 1 (Sinnott, 1984). The formula is good between
+/// neighbours. Near the antipode 1 − sin²(σ/2) is lost to rounding, and with it half of the digits. [`GreatCircle`] costs
+/// no more and is exact there, too.
 ///
 /// | angle short of the antipode | worst error of the distance, `f64` | `f32` |
 /// |---|---|---|
@@ -17,7 +18,7 @@ use crate::{Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// | 0.1° | 6.6e-13 rad, 4 µm | 3.7e-4 rad, 2.4 km |
 /// | 0 | 4.3e-8 rad, 0.3 m | 1.0e-3 rad, 6.4 km |
 ///
-/// Azimuths and the direct problem: those of [`GreatCircle`]. Never an error in the inverse, never NaN.
+/// Azimuths and the direct problem are those of [`GreatCircle`]. The inverse problem never fails, and is never NaN.
 ///
 /// ```
 /// use terrella::LatLon;
@@ -29,12 +30,13 @@ use crate::{Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias = "hav", alias = "hversine")]
 pub struct Haversine<T> {
     sphere: GreatCircle<T>,
 }
 
 impl<T: Real> Haversine<T> {
-    /// On a sphere of the given radius in metres.
+    /// Makes the method for a sphere of this radius in metres.
     ///
     /// # Errors
     /// [`InvalidEllipsoid::SemiMajorAxis`] unless 10⁻¹⁵ ≤ radius ≤ 10¹⁵.
@@ -42,7 +44,7 @@ impl<T: Real> Haversine<T> {
         GreatCircle::new(radius).map(|sphere| Self { sphere })
     }
 
-    /// On the sphere of an ellipsoid's mean radius.
+    /// For the sphere of an ellipsoid's mean radius.
     pub(super) fn mean(ellipsoid: Ellipsoid<T>) -> Self {
         Self {
             sphere: GreatCircle::mean(ellipsoid),
@@ -51,15 +53,16 @@ impl<T: Real> Haversine<T> {
 }
 
 impl<T: Real> Geodesic<T> for Haversine<T> {
-    // Small, it is inlined: who takes the distance alone does not pay for the azimuths.
+    /// Never fails.
+    // Inlined for size: who takes the distance alone does not pay for the azimuths.
     #[cfg_attr(small, inline(always))]
     #[cfg_attr(not(small), inline)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         let (_, cos1) = sin_cos_degrees(from.lat());
         let (_, cos2) = sin_cos_degrees(to.lat());
-        let (sin_lat, _) = latitude_difference(from, to).half().sin_cos();
-        let (sin_lon, _) = longitude_difference(from, to).half().sin_cos();
-        // The root of the haversine, without squares: they would underflow.
+        let (sin_lat, _) = latitude_difference(from, to).half().sin_cos_degrees();
+        let (sin_lon, _) = longitude_difference(from, to).half().sin_cos_degrees();
+        // The root of the haversine, without squares: they could underflow.
         let half = min(hypot(sin_lat, (cos1 * cos2).sqrt() * sin_lon), T::ONE);
         let angle = T::of(2.0) * atan2(half, ((T::ONE - half) * (T::ONE + half)).sqrt());
         let (azimuth1, azimuth2) = Delambre::between(from, to).azimuths();
@@ -70,8 +73,16 @@ impl<T: Real> Geodesic<T> for Haversine<T> {
         })
     }
 
+    /// # Errors
+    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         self.sphere.direct(from, azimuth, distance)
+    }
+
+    /// Any finite distance.
+    #[inline(always)]
+    fn reach(&self) -> T {
+        T::pick(f64::MAX, f32::MAX)
     }
 }

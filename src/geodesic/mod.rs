@@ -1,101 +1,179 @@
-//! Distances and destinations: one method a file, all behind [`Geodesic`].
+//! Distances, azimuths, destinations and areas on the ellipsoid and on the sphere.
+//!
+//! Each method is a type, made for one ellipsoid or sphere, and solves the same two problems through the trait
+//! [`Geodesic`]: the *inverse* problem (two places → distance and azimuths) and the *direct* problem (place, azimuth,
+//! distance → destination). Take [`Karney`] unless code size or speed forces another choice;
+//! [`scene`](crate::scene) chooses the cheapest method for a region and a tolerance.
+//!
+//! | method | model | worst error of the distance on the Earth |
+//! |---|---|---|
+//! | [`Karney`] | geodesic of the ellipsoid | 7 nm, everywhere |
+//! | [`Vincenty`] | geodesic of the ellipsoid, iteration of 1975 | 0.1 mm; no answer near the antipode |
+//! | [`AndoyerSecond`] | second order in the flattening | 6 mm at 3000 km, 0.2 m at 10 000 km |
+//! | [`Andoyer`] | first order in the flattening | 7.5 m at 5000 km, 15 m at 10 000 km |
+//! | [`Bowring`] | sphere that touches the ellipsoid | 1.1 mm at 100 km |
+//! | [`Flat`] | plane at the middle latitude | 6 mm at 10 km below 60° |
+//! | [`Plane`] | [`Flat`] as polynomials about a place | 6 mm at 10 km below 60°, near that place |
+//! | [`GreatCircle`] | sphere | 0.56 % |
+//! | [`Haversine`] | sphere | 0.56 % |
+//!
+//! [`Area`] and [`PolygonArea`] measure polygons of any size, [`PlanarArea`] fields of some hundred kilometres.
+//! [`batch::geodesic`](crate::batch::geodesic) solves whole slices.
+//!
+//! Azimuths are in degrees clockwise from north, distances in metres, latitudes and longitudes in degrees.
 
-use core::fmt;
-
-use crate::math::min;
-use crate::{LatLon, Real};
+// From the floor up: angles; the auxiliary sphere and its series; the two solvers; the methods.
+mod angle;
+mod error;
+mod fast;
+mod general;
+mod mid_latitude;
+mod series;
+mod sphere;
 
 mod andoyer;
-mod andoyer_second;
-mod auxiliary;
 mod bowring;
-mod degrees;
 mod flat;
 mod great_circle;
 mod haversine;
 mod karney;
 mod method;
-mod middle;
-mod ordinary;
-mod planar;
+mod planar_area;
 mod plane;
-mod sum;
 mod vincenty;
+
+use andoyer::second as andoyer_second;
 
 pub use andoyer::Andoyer;
 pub use andoyer_second::AndoyerSecond;
 pub use bowring::Bowring;
+pub use error::GeodesicError;
 pub use flat::Flat;
+pub use general::{Line, LinePoint};
 pub use great_circle::GreatCircle;
 pub use haversine::Haversine;
-pub use karney::{Area, Karney, Line, LinePoint, PolygonArea, Solution};
+pub use karney::{Area, Karney, PolygonArea, Solution};
 pub use method::{AnyMethod, Method, UnknownMethod};
-pub use planar::{PlanarArea, PlanarPolygon};
+pub use planar_area::{PlanarArea, PlanarPolygon};
 pub use plane::Plane;
 pub use vincenty::Vincenty;
 
-/// A method that solves the two problems of geodesy.
+use crate::latitude::UnsupportedFlattening;
+use crate::{Ellipsoid, LatLon, Real};
+
+/// A method that solves the inverse and the direct problem of geodesy.
 ///
-/// The distance and both azimuths of an [`Inverse`] are those of one line: from the first place along
-/// `azimuth1` for `distance` it leads to the second place, and arrives there with `azimuth2`. Of several
-/// shortest lines all three numbers are of the same one.
+/// The distance and both azimuths of an [`Inverse`] belong to the same line: from the first place along `azimuth1`,
+/// after `distance` metres, it reaches the second place and arrives there with `azimuth2`. If there are several
+/// shortest lines, all three numbers belong to one of them.
 ///
-/// At a pole an azimuth counts from the meridian of the longitude that is given with the pole. Some pairs of
-/// places leave the azimuths open. There every method has the same rule, and the line starts to the north,
+/// At a pole, an azimuth counts from the meridian of the longitude that is given with the pole. Between some
+/// places the azimuths are not determined. There all methods follow the same rule: the line starts to the north,
 /// with `azimuth1` = 0:
 ///
 /// | places | distance | `azimuth2` |
 /// |---|---|---|
 /// | coincident | 0 | 0 |
-/// | the same pole, by two longitudes | 0 | λ₂ − λ₁ at the north pole, λ₁ − λ₂ at the south pole |
+/// | the same pole, with two longitudes | 0 | λ₂ − λ₁ at the north pole, λ₁ − λ₂ at the south pole |
 /// | from pole to pole | half of a meridian | λ₂ − λ₁ at the north pole, λ₁ − λ₂ at the south pole |
 /// | antipodes on a sphere | half of a circle | 180 |
+///
+/// Your own method needs [`inverse`](Self::inverse) and [`direct`](Self::direct), and then goes through
+/// [`batch::geodesic`](crate::batch::geodesic), too. The other functions are there to make batches faster.
+///
+/// ```
+/// use terrella::geodesic::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse};
+/// use terrella::{LatLon, batch};
+///
+/// /// A sphere on which everything is measured in nautical miles.
+/// struct Nautical(GreatCircle<f64>);
+///
+/// impl Geodesic<f64> for Nautical {
+///     fn inverse(&self, from: LatLon<f64>, to: LatLon<f64>) -> Result<Inverse<f64>, GeodesicError<f64>> {
+///         let line = self.0.inverse(from, to)?;
+///         Ok(Inverse { distance: line.distance / 1852.0, ..line })
+///     }
+///
+///     fn direct(
+///         &self,
+///         from: LatLon<f64>,
+///         azimuth: f64,
+///         distance: f64,
+///     ) -> Result<Direct<f64>, GeodesicError<f64>> {
+///         self.0.direct(from, azimuth, 1852.0 * distance)
+///     }
+/// }
+///
+/// let earth = Nautical(GreatCircle::new(6_366_707.0)?);
+/// let (mut distance, mut there, mut back) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+/// let (from, to): ([&[f64]; 2], [&[f64]; 2]) = ([&[0.0, 0.0], &[0.0, 0.0]], [&[1.0, 0.0], &[0.0, 2.0]]);
+/// batch::geodesic::inverse(&earth, from, to, [&mut distance, &mut there, &mut back])?;
+/// assert_eq!(distance.map(f64::round), [60.0, 120.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[doc(alias = "geodesy", alias = "Geodesic::WGS84")]
 pub trait Geodesic<T: Real> {
-    /// From two places to the distance between them and the azimuths at both.
+    /// Solves the inverse problem: returns the distance between two places and the azimuths at both.
     ///
     /// # Errors
-    /// What the method's own documentation says.
+    /// None, unless the method says so: only [`Vincenty`] does, with [`GeodesicError::NotConverged`].
+    #[doc(alias = "geod_inverse", alias = "distance", alias = "bearing")]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>>;
 
-    /// From a place, an azimuth in degrees and a distance in metres to where they lead; a negative distance goes backwards.
+    /// Solves the direct problem: returns the place that is reached from a place, at an azimuth in degrees, after a
+    /// distance in metres, and the azimuth there. A negative distance goes backwards.
     ///
     /// # Errors
-    /// [`GeodesicError::Azimuth`] and [`GeodesicError::Distance`] for what is not finite; else what the method's own documentation says.
-    /// On ellipsoids of metres or less some methods refuse the largest numbers as [`GeodesicError::TooFar`].
+    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN;
+    /// [`GeodesicError::TooFar`] for a distance that is longer than the method's limit, if it has one. A method on an
+    /// ellipsoid of metres or less may refuse the largest numbers.
+    #[doc(alias = "geod_direct", alias = "destination")]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>>;
-}
 
-/// A method that solves its ordinary problems in straight lines of arithmetic, so that a loop over them vectorises:
-/// [`batch::geodesic`](crate::batch::geodesic) is that loop. Sealed.
-pub trait Straight<T: Real>: Geodesic<T> + Send + Sync + sealed::Sealed {
-    /// The inverse problem, and whether the answer is that of [`Geodesic::inverse`], bit for bit. For
-    /// [`Karney`] not between coincident and nearly antipodal places, nor on ellipsoids with |f| > 1/149; for
-    /// [`Vincenty`] not where it evaluates the longitude more than six (`f32`: four) times.
-    fn ordinary_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool);
+    /// Solves the inverse problem for [`batch::geodesic::inverse`](crate::batch::geodesic::inverse). Returns a line,
+    /// and whether it is that of [`inverse`](Self::inverse), bit for bit. If not, the line may hold any numbers, and
+    /// the batch calls [`inverse`](Self::inverse).
+    ///
+    /// The default calls [`inverse`](Self::inverse). Override it, with `#[inline(always)]`, if most places can be
+    /// solved without a branch that depends on them, so that the loop vectorises. It must return for any numbers, also
+    /// for latitudes and longitudes that [`LatLon::new`] refuses.
+    #[inline(always)]
+    fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        match self.inverse(from, to) {
+            Ok(line) => (line, true),
+            Err(_) => (Inverse::nothing(), false),
+        }
+    }
 
-    /// The direct problem, and whether the answer is that of [`Geodesic::direct`], bit for bit: not for azimuths beyond ±360°, nor after
-    /// very many circuits, nor, for [`Karney`], on ellipsoids with |f| > 1/149.
-    fn ordinary_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool);
+    /// Solves the direct problem for [`batch::geodesic::direct`](crate::batch::geodesic::direct), as
+    /// [`fast_inverse`](Self::fast_inverse) does the inverse one.
+    #[inline(always)]
+    fn fast_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        match self.direct(from, azimuth, distance) {
+            Ok(end) => (end, true),
+            Err(_) => (Direct::nothing(), false),
+        }
+    }
 
-    /// Whether the distance in metres is at most 50 polar radii: no direct problem so long is refused.
-    fn reaches(&self, distance: T) -> bool;
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl<T> Sealed for super::Karney<T> {}
-    impl<T> Sealed for super::Vincenty<T> {}
+    /// A distance in metres up to which, forward or backward, [`direct`](Self::direct) never refuses a finite azimuth.
+    /// Longer ones are solved twice in a batch, which has to know before it writes anything whether one is refused.
+    /// The default is 0.
+    #[inline(always)]
+    fn reach(&self) -> T {
+        T::ZERO
+    }
 }
 
 /// The solution of the inverse problem.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Inverse<T> {
-    /// The distance in metres.
+    /// The distance in metres, not negative.
     pub distance: T,
     /// The azimuth at the first place toward the second, in degrees clockwise from north, in [−180, 180].
     pub azimuth1: T,
-    /// The azimuth of travel at the second place, in degrees clockwise from north, in [−180, 180].
+    /// The azimuth of travel at the second place, in degrees clockwise from north, in [−180, 180]. It points away from
+    /// the first place; the way back starts at `azimuth2` + 180.
     pub azimuth2: T,
 }
 
@@ -109,53 +187,33 @@ pub struct Direct<T> {
     pub azimuth: T,
 }
 
-/// Why a method gave no answer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum GeodesicError<T> {
-    /// An azimuth that is infinite or not a number.
-    Azimuth(T),
-    /// A distance that is infinite or not a number.
-    Distance(T),
-    /// A distance, forward or back, that is longer than the method can go.
-    TooFar {
-        /// The distance in metres.
-        distance: T,
-        /// The longest that this method goes from there at this azimuth, in metres.
-        limit: T,
-    },
-    /// A part of a way that is infinite or not a number, or that makes the distance so.
-    Fraction(T),
-    /// [`Vincenty`]'s iteration did not converge between these places: they are nearly antipodal.
-    NotConverged(LatLon<T>, LatLon<T>),
-}
-
-impl<T: Real> GeodesicError<T> {
-    /// A distance that is refused, and the longest that is not.
-    pub(crate) fn refused(distance: T, limit: T) -> Self {
-        if distance.is_finite() {
-            Self::TooFar { distance, limit }
-        } else {
-            Self::Distance(distance)
-        }
-    }
-
-    /// A finite distance whose quotient by so many metres is none.
-    pub(crate) fn quotient(distance: T, metres: T) -> Self {
-        Self::refused(distance, min(metres, T::ONE) * T::pick(f64::MAX, f32::MAX))
-    }
-}
-
-impl<T: fmt::Debug> fmt::Display for GeodesicError<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Azimuth(azimuth) => write!(f, "azimuth {azimuth:?} is not finite"),
-            Self::Distance(distance) => write!(f, "distance {distance:?} is not finite"),
-            Self::TooFar { distance, limit } => write!(f, "distance {distance:?} is longer than {limit:?} metres"),
-            Self::Fraction(fraction) => write!(f, "fraction {fraction:?} makes no finite distance"),
-            Self::NotConverged(from, to) => write!(f, "no convergence from {from:?} to {to:?}"),
+impl<T: Real> Inverse<T> {
+    /// What stands for a line where there is none.
+    fn nothing() -> Self {
+        Self {
+            distance: T::ZERO,
+            azimuth1: T::ZERO,
+            azimuth2: T::ZERO,
         }
     }
 }
 
-impl<T: fmt::Debug> core::error::Error for GeodesicError<T> {}
+impl<T: Real> Direct<T> {
+    /// What stands for an end where there is none.
+    fn nothing() -> Self {
+        Self {
+            position: LatLon::within(T::ZERO, T::ZERO),
+            azimuth: T::ZERO,
+        }
+    }
+}
+
+/// The ellipsoid, if its flattening is at most 1/60: that far the short series and polynomials of the simpler methods
+/// keep what they claim.
+fn nearly_round<T: Real>(ellipsoid: Ellipsoid<T>) -> Result<Ellipsoid<T>, UnsupportedFlattening<T>> {
+    // 1/60, and room for its rounding.
+    if ellipsoid.f().abs() > T::of(1.0 / 60.0 + 1e-8) {
+        return Err(UnsupportedFlattening(ellipsoid.f()));
+    }
+    Ok(ellipsoid)
+}

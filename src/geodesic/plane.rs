@@ -1,17 +1,19 @@
-use super::auxiliary::nearly_round;
-use super::degrees::{Split, off_pole};
-use super::middle::{self, Scale};
-use super::{Direct, Geodesic, GeodesicError, Inverse};
+use super::angle::off_pole;
+use super::mid_latitude::{self, Scale};
+use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::sin_cos_degrees;
+use crate::math::{DoubleWord, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// The flat model about a place, without any sine in the distance: [`Flat`](super::Flat), whose scales follow from a latitude by polynomials of the second degree.
+/// [`Flat`](super::Flat) about one place: its scales are polynomials of the second degree in the latitude, so that the
+/// distance needs no sine. The cheapest method here.
 ///
-/// Where both latitudes are within δ radians of the place's, this adds s δ³/6 (tan φ + 6e² + δ/4) to the error of a distance s by [`Flat`](super::Flat), φ the farthest latitude from the
-/// equator (Taylor's theorem): 0.2 mm on 1 km within 0.5° at latitude 60. [`scene`](crate::scene) has both as one bound.
+/// If both latitudes are within δ radians of the place's latitude, a distance s is wrong by at most
+/// s δ³/6 (tan φ + 6e² + δ/4) more than with [`Flat`](super::Flat), where φ is the latitude farthest from the equator
+/// (Taylor's theorem): 0.2 mm on 1 km within 0.5° at latitude 60. [`scene`](crate::scene) has both errors as one bound.
 ///
-/// [`Self::local`] takes places as offsets from the place, which single precision holds to 2⁻²⁴ of themselves where latitudes and longitudes are held to 0.4 m.
+/// [`Plane::local`] takes places as offsets from the place. `f32` holds offsets to 2⁻²⁴ of themselves, latitudes and
+/// longitudes only to 0.4 m.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, Plane};
@@ -28,14 +30,15 @@ use crate::{Ellipsoid, LatLon, Real};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plane<T> {
     middle: T,
-    /// Of 1, u, u² with u in degrees from the place's latitude: metres in a degree of latitude and of longitude, and sin φ.
+    /// By powers 1, u, u² of the degrees u from the place's latitude: metres in a degree of latitude and of longitude, and
+    /// sin φ.
     north: [T; 3],
     east: [T; 3],
     sin: [T; 3],
 }
 
 impl<T: Real> Plane<T> {
-    /// About a place.
+    /// Makes the plane about a place.
     ///
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
@@ -43,7 +46,7 @@ impl<T: Real> Plane<T> {
         nearly_round(ellipsoid).map(|ellipsoid| Self::within(ellipsoid, place.lat(), place.lat()))
     }
 
-    /// About a place, for places given as degrees north and east of it.
+    /// Makes the plane about a place, for places given as degrees north and east of it.
     ///
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
@@ -57,7 +60,8 @@ impl<T: Real> Plane<T> {
         let (s, c) = sin_cos_degrees(lat);
         let e2 = ellipsoid.e2();
         let w2 = T::ONE - e2 * s * s;
-        // M = a(1 − e²)/W³ and N cos φ, N = a/W, and their derivatives: (N cos φ)′ = −M sin φ, M′ = 3Me² sin φ cos φ/W².
+        // M = a(1 − e²)/W³ and N cos φ, N = a/W, and their derivatives: (N cos φ)′ = −M sin φ,
+        // M′ = 3Me² sin φ cos φ/W².
         let n = ellipsoid.a() * degree / w2.sqrt();
         let m = n * (T::ONE - e2) / w2;
         let rise = T::of(3.0) * e2 / w2;
@@ -73,8 +77,8 @@ impl<T: Real> Plane<T> {
     }
 
     #[inline(always)]
-    fn scale(&self, lat: Split<T>) -> Scale<T> {
-        let u = (lat.angle - self.middle) + lat.rest;
+    fn scale(&self, lat: DoubleWord<T>) -> Scale<T> {
+        let u = (lat.high - self.middle) + lat.low;
         let of = |[p, q, r]: [T; 3]| p + u * (q + u * r);
         Scale {
             north: of(self.north),
@@ -86,16 +90,24 @@ impl<T: Real> Plane<T> {
 }
 
 impl<T: Real> Geodesic<T> for Plane<T> {
-    /// Never an error.
-    // Small, it is inlined: who takes the distance alone does not pay for the azimuths.
+    /// Never fails.
+    // Inlined for size: who takes the distance alone does not pay for the azimuths.
     #[cfg_attr(small, inline(always))]
     #[cfg_attr(not(small), inline)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        Ok(middle::inverse(from, to, |lat| self.scale(lat)))
+        Ok(mid_latitude::inverse(from, to, |lat| self.scale(lat)))
     }
 
+    /// # Errors
+    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        middle::direct(from, azimuth, distance, |lat| self.scale(lat))
+        mid_latitude::direct(from, azimuth, distance, |lat| self.scale(lat))
+    }
+
+    /// Any finite distance.
+    #[inline(always)]
+    fn reach(&self) -> T {
+        T::pick(f64::MAX, f32::MAX)
     }
 }

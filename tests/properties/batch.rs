@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint};
-use terrella::geodesic::{GeodesicError, Karney, Straight, Vincenty};
+use terrella::geodesic::{Geodesic, GeodesicError, Karney, Vincenty};
 use terrella::latitude::Conversion;
 use terrella::{Direction, Ecef, Geodetic, LatLon, Latitude, Real, Shift, Shifted};
 
@@ -329,7 +329,7 @@ fn maps<T: Scalar>(bytes: &mut Bytes<'_>) {
 }
 
 fn inverses<T: Scalar>(bytes: &mut Bytes<'_>) {
-    fn by<T: Scalar, M: Straight<T>>(bytes: &mut Bytes<'_>, method: &M) {
+    fn by<T: Scalar, M: Geodesic<T>>(bytes: &mut Bytes<'_>, method: &M) {
         compare(
             bytes,
             "inverse",
@@ -380,7 +380,7 @@ fn inverses<T: Scalar>(bytes: &mut Bytes<'_>) {
 }
 
 fn directs<T: Scalar>(bytes: &mut Bytes<'_>) {
-    fn by<T: Scalar, M: Straight<T>>(bytes: &mut Bytes<'_>, method: &M) {
+    fn by<T: Scalar, M: Geodesic<T>>(bytes: &mut Bytes<'_>, method: &M) {
         compare(
             bytes,
             "direct",

@@ -1,6 +1,6 @@
 use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
 use terrella::cube::{CubeMap, Face, Projection};
-use terrella::geodesic::{Karney, Straight, Vincenty};
+use terrella::geodesic::{Geodesic, Karney, Vincenty};
 use terrella::latitude::Conversion;
 use terrella::{Ellipsoid, Latitude, Shift, Shifted};
 
@@ -171,7 +171,7 @@ fn cubes<T: Scalar, V: Visitor>(visitor: &mut V) {
     }
 }
 
-fn geodesics<T: Scalar, V: Visitor, M: Straight<T>>(visitor: &mut V, method: &M, name: &'static str) {
+fn geodesics<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M, name: &'static str) {
     let pairs = |arguments: &mut Arguments| [places::<T>(arguments), places(arguments)];
     visitor.visit::<T, _, _>(function("batch::geodesic::inverse", name), pairs, |[from, to]| {
         into(|lines| batch::geodesic::inverse(method, lent(&from), lent(&to), lines))

@@ -1,6 +1,6 @@
 use terrella::geodesic::{
     Andoyer, AndoyerSecond, AnyMethod, Area, Bowring, Flat, Geodesic, GreatCircle, Haversine, Karney, Line, Method,
-    PlanarArea, PlanarPolygon, PolygonArea, Straight, Vincenty,
+    PlanarArea, PlanarPolygon, PolygonArea, Vincenty,
 };
 use terrella::{Ellipsoid, Real};
 
@@ -77,7 +77,7 @@ fn both<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M, name
     );
 }
 
-fn straight<T: Scalar, V: Visitor, M: Straight<T>>(visitor: &mut V, method: &M, name: &'static str) {
+fn straight<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M, name: &'static str) {
     let function = |what| Function::of(what, name);
     visitor.visit::<T, _, _>(
         function("Geodesic::inverse, short"),
@@ -91,21 +91,21 @@ fn straight<T: Scalar, V: Visitor, M: Straight<T>>(visitor: &mut V, method: &M, 
     );
     // What it says is no answer may be any number.
     visitor.visit::<T, _, _>(
-        function("Straight::ordinary_inverse"),
+        function("Geodesic::fast_inverse"),
         Arguments::pair::<T>,
         |[from, to]| {
-            let (line, found) = Straight::ordinary_inverse(method, from, to);
+            let (line, found) = Geodesic::fast_inverse(method, from, to);
             found.then_some(line)
         },
     );
     let start = |arguments: &mut Arguments| (arguments.place::<T>(), arguments.units::<T, 2>());
     visitor.visit::<T, _, _>(
-        function("Straight::ordinary_direct"),
+        function("Geodesic::fast_direct"),
         start,
         |(from, [azimuth, distance])| {
             let distance = distance * T::of(2e7);
-            let (end, found) = Straight::ordinary_direct(method, from, azimuth * T::of(180.0), distance);
-            (found.then_some(end), Straight::reaches(method, distance))
+            let (end, found) = Geodesic::fast_direct(method, from, azimuth * T::of(180.0), distance);
+            (found.then_some(end), distance.abs() <= Geodesic::reach(method))
         },
     );
 }

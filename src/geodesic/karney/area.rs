@@ -1,22 +1,32 @@
 use super::Karney;
-use super::angle::Angle;
-use super::inverse::{Arc, Canonical};
 use super::polygon::PolygonArea;
-use super::series::{AreaSeries, Series};
 use crate::geodesic::GeodesicError;
-use crate::geodesic::degrees::{Split, hypot, longitude_difference};
+use crate::geodesic::angle::{Angle, longitude_difference};
+use crate::geodesic::general::{Canonical, Segment};
+use crate::geodesic::series::{AreaSeries, Integrals};
+use crate::geodesic::sphere::{arc_from_node, node};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::atan2;
+use crate::math::{DoubleWord, atan2};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// Areas between geodesics and the equator, and of polygons. For fields in `f32` there is
-/// [`PlanarArea`](crate::geodesic::PlanarArea).
+/// Areas of polygons of any size, and between a geodesic and the equator, on the ellipsoid.
 ///
-/// On the Earth within 0.1 m², within 0.02 m² and 5e-16 of the area for lines under 1000 km (`f32`: 60 km², 0.2 km² and 5e-7; past
-/// a pole the area is as large as for any line). Between nearly antipodal places, whose reduced
-/// length is under a tenth of the distance, the azimuths and with them the area are ill-conditioned: up to 10⁴ m² was seen.
+/// [`Area::polygon`] starts a polygon. For fields of up to some hundred kilometres
+/// [`PlanarArea`](crate::geodesic::PlanarArea) is cheaper, and in `f32` far more exact.
+///
+/// | worst error of the area under a line on the Earth | `f64` | `f32` |
+/// |---|---|---|
+/// | any line | 0.1 m² | 60 km² |
+/// | lines under 1000 km | 0.02 m² and 5e-16 of the area | 0.2 km² and 5e-7 of the area |
+///
+/// The area under a line past a pole is large, however short the line. Between nearly antipodal places, whose reduced
+/// length is under a tenth of the distance, the azimuths and with them the area are ill-conditioned: errors up to 10⁴ m²
+/// were seen.
+///
+/// C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013), section 6.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias = "areaint", alias = "geod_polygonarea")]
 pub struct Area<T> {
     pub(super) karney: Karney<T>,
     series: AreaSeries<T>,
@@ -25,96 +35,93 @@ pub struct Area<T> {
 }
 
 impl<T: Real> Area<T> {
-    /// For an ellipsoid.
+    /// Makes the area measure of an ellipsoid.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] outside −1/9 ≤ f ≤ 1/10.
+    /// [`UnsupportedFlattening`] unless −1/9 ≤ f ≤ 1/10.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
         Karney::new(ellipsoid).map(Self::within)
     }
 
-    /// Under the geodesics of an ellipsoid that is checked with them.
+    /// For the ellipsoid of these geodesics.
     pub(crate) fn within(karney: Karney<T>) -> Self {
         Self {
             karney,
-            series: AreaSeries::new(karney.ellipsoid, &karney.series),
-            c2: karney.ellipsoid.authalic_radius_squared(),
+            series: AreaSeries::new(karney.ellipsoid(), karney.integrals()),
+            c2: karney.ellipsoid().authalic_radius_squared(),
         }
     }
 
-    /// The area in m² between the geodesic from one place to another and the equator, positive if the
-    /// quadrilateral (from), (0, from's longitude), (0, to's longitude), (to) runs counter-clockwise: where
-    /// the geodesic runs eastward to the north of the equator.
+    /// Returns the area in m² between the geodesic from one place to another and the equator. It is positive if the
+    /// quadrilateral from – (0, longitude of from) – (0, longitude of to) – to runs counter-clockwise: for instance if the
+    /// geodesic runs eastward, north of the equator.
     ///
-    /// Between opposite meridians it goes over the pole that [`Karney::solve`] takes: eastward to the
-    /// longitude that is 180° more, westward to that which is 180° less. A pole has a longitude: between two
-    /// places there the area is that of the lune between their meridians, from the pole to the equator.
+    /// Between opposite meridians the geodesic goes over the pole that [`Karney::solve`] takes: eastward to a longitude
+    /// that is 180° more, westward to one that is 180° less. A pole has a longitude: between two places at the same pole
+    /// the area is that of the lune between their meridians, from the pole to the equator.
     #[must_use]
     pub fn under(&self, from: LatLon<T>, to: LatLon<T>) -> T {
-        let (_, Split { angle, rest }) = self.edge(from, to);
-        angle + rest
+        let (_, area) = self.edge(from, to);
+        area.value()
     }
 
     /// The length of a geodesic in metres and the area under it.
-    pub(super) fn edge(&self, from: LatLon<T>, to: LatLon<T>) -> (T, Split<T>) {
-        let (line, problem, arc) = self.karney.whole(from, to);
-        let Split { angle, rest } = match arc.omega {
-            Some(omega) => self.beside_meridian(&problem, &arc, omega),
+    pub(super) fn edge(&self, from: LatLon<T>, to: LatLon<T>) -> (T, DoubleWord<T>) {
+        let (line, problem, segment) = self.karney.whole(from, to);
+        let DoubleWord { high, low } = match segment.omega12 {
+            Some(omega12) => self.beside_meridian(&problem, &segment, omega12),
             None => {
                 // Between opposite places over either pole; else over the one in the south, or from a pole.
                 let opposite = problem.lambda12.sin == T::ZERO && problem.lambda12.cos < T::ZERO;
-                let north = opposite && arc.alpha1.cos > T::ZERO;
+                let north = opposite && segment.alpha1.cos > T::ZERO;
                 self.along_meridian(longitude_difference(from, to), north)
             }
         };
         let sign = problem.area_sign();
-        let area = Split {
-            angle: angle * sign + T::ZERO,
-            rest: rest * sign + T::ZERO,
+        let area = DoubleWord {
+            high: high * sign + T::ZERO,
+            low: low * sign + T::ZERO,
         };
         (line.distance, area)
     }
 
     /// All of the turn is at a pole, in the south if it is not said to be in the north: a lune, exactly a
     /// quarter of the ellipsoid between opposite meridians.
-    fn along_meridian(&self, difference: Split<T>, north: bool) -> Split<T> {
-        let east = T::ONE.copysign(difference.angle);
-        let (angle, rest) = (difference.angle * east, difference.rest * east);
+    fn along_meridian(&self, difference: DoubleWord<T>, north: bool) -> DoubleWord<T> {
+        let east = T::ONE.copysign(difference.high);
+        let (angle, rest) = (difference.high * east, difference.low * east);
         let two_circles = if north { T::of(720.0) } else { T::of(-720.0) };
         let part = angle / two_circles;
         // With what the quotient has lost, for lunes round a pole to fill a hemisphere.
-        let back = product(part, two_circles);
-        let lost = ((angle - back.angle) + (rest - back.rest)) / two_circles;
+        let back = DoubleWord::product(part, two_circles);
+        let lost = ((angle - back.high) + (rest - back.low)) / two_circles;
         let whole = self.whole();
-        let area = product(whole.angle, part);
-        Split {
-            rest: area.rest + (whole.rest * part + whole.angle * lost),
+        let area = DoubleWord::product(whole.high, part);
+        DoubleWord {
+            low: area.low + (whole.low * part + whole.high * lost),
             ..area
         }
     }
 
-    fn beside_meridian(&self, problem: &Canonical<T>, arc: &Arc<T>, omega: Angle<T>) -> Split<T> {
+    fn beside_meridian(&self, problem: &Canonical<T>, segment: &Segment<T>, omega12: Angle<T>) -> DoubleWord<T> {
         let (beta1, beta2) = (problem.beta1, problem.beta2);
-        let (alpha1, alpha2) = (arc.alpha1, arc.alpha2);
-        let alpha0 = Angle {
-            sin: alpha1.sin * beta1.cos,
-            cos: hypot(alpha1.cos, alpha1.sin * beta1.sin),
-        };
+        let (alpha1, alpha2) = (segment.alpha1, segment.alpha2);
+        let alpha0 = node(alpha1, beta1);
         let oblateness = if alpha0.sin == T::ZERO || alpha0.cos == T::ZERO {
             T::ZERO
         } else {
-            let sigma1 = Angle::of(beta1.sin, alpha1.cos * beta1.cos);
-            let sigma2 = Angle::of(beta2.sin, alpha2.cos * beta2.cos);
+            let sigma1 = arc_from_node(alpha1, beta1);
+            let sigma2 = arc_from_node(alpha2, beta2);
             self.beyond_sphere(alpha0, sigma1, sigma2)
         };
-        let excess = if omega.cos > T::of(-0.95) && beta2.sin - beta1.sin < T::of(1.75) {
+        let excess = if omega12.cos > T::of(-0.95) && beta2.sin - beta1.sin < T::of(1.75) {
             // tan(α₁₂/2) from half angles (Karney 63).
             let (d1, d2) = (T::ONE + beta1.cos, T::ONE + beta2.cos);
-            let sin = omega.sin * (beta1.sin * d2 + beta2.sin * d1);
-            let versine = if omega.cos < T::ZERO {
-                omega.sin * omega.sin / (T::ONE - omega.cos)
+            let sin = omega12.sin * (beta1.sin * d2 + beta2.sin * d1);
+            let versine = if omega12.cos < T::ZERO {
+                omega12.sin * omega12.sin / (T::ONE - omega12.cos)
             } else {
-                T::ONE + omega.cos
+                T::ONE + omega12.cos
             };
             let cos = versine * (beta1.sin * beta2.sin + d1 * d2);
             T::of(2.0) * atan2(sin, cos)
@@ -124,12 +131,13 @@ impl<T: Real> Area<T> {
         self.with_sphere(excess, oblateness)
     }
 
-    /// The same for the geodesic that leaves a place at an azimuth in degrees and ends after a distance in
-    /// metres, less whole ellipsoids. Over a pole it goes eastward for the azimuths 0 and 180, westward for
-    /// −0 and −180.
+    /// Returns the area in m² between the equator and the geodesic that starts at a place, at an azimuth in degrees, and
+    /// ends after a distance in metres; less whole ellipsoids. The sign is that of [`under`](Self::under). Over a pole
+    /// the line goes eastward for the azimuths 0 and 180, westward for −0 and −180.
     ///
     /// # Errors
-    /// As for [`Line::at`](super::Line::at).
+    /// [`GeodesicError::Azimuth`] if the azimuth is infinite or NaN, and those of
+    /// [`Line::at`](crate::geodesic::Line::at).
     pub fn under_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<T, GeodesicError<T>> {
         let line = self.karney.line(from, azimuth)?;
         let place = line.place(distance)?;
@@ -154,53 +162,41 @@ impl<T: Real> Area<T> {
         } else {
             self.beyond_sphere(alpha0, sigma1, sigma2)
         };
-        let Split { angle, rest } = self.with_sphere(turn.to_radians(), oblateness);
-        Ok((angle + rest) + T::ZERO)
+        Ok(self.with_sphere(turn.to_radians(), oblateness).value() + T::ZERO)
     }
 
     /// c²·excess + oblateness: near a pole the first is the area of a wide triangle, however short the line.
-    fn with_sphere(&self, excess: T, oblateness: T) -> Split<T> {
-        let sphere = product(self.c2, excess);
-        Split {
-            rest: sphere.rest + oblateness,
+    fn with_sphere(&self, excess: T, oblateness: T) -> DoubleWord<T> {
+        let sphere = DoubleWord::product(self.c2, excess);
+        DoubleWord {
+            low: sphere.low + oblateness,
             ..sphere
         }
     }
 
     /// 4πc², the area of the ellipsoid.
-    pub(super) fn whole(&self) -> Split<T> {
-        let sphere = product(self.c2, T::of(4.0 * core::f64::consts::PI));
+    pub(super) fn whole(&self) -> DoubleWord<T> {
+        let sphere = DoubleWord::product(self.c2, T::of(4.0 * core::f64::consts::PI));
         // What 4π is more than its nearest number.
         let rest = self.c2 * T::pick(4.898_587_196_589_413e-16, -3.496_911e-7);
-        Split {
-            rest: sphere.rest + rest,
+        DoubleWord {
+            low: sphere.low + rest,
             ..sphere
         }
     }
 
     /// e²a² cos α₀ sin α₀ (I₄(σ₂) − I₄(σ₁)) (Karney 59).
     fn beyond_sphere(&self, alpha0: Angle<T>, sigma1: Angle<T>, sigma2: Angle<T>) -> T {
-        let ellipsoid = self.karney.ellipsoid;
-        let epsilon = Series::epsilon(alpha0.cos * alpha0.cos * ellipsoid.ep2());
+        let ellipsoid = self.karney.ellipsoid();
+        let epsilon = Integrals::epsilon(alpha0.cos * alpha0.cos * ellipsoid.ep2());
         let c4 = self.series.c4(epsilon);
         let integral = self.series.cosines(&c4, sigma2) - self.series.cosines(&c4, sigma1);
         ellipsoid.a() * ellipsoid.a() * ellipsoid.e2() * (alpha0.cos * alpha0.sin) * integral
     }
 
-    /// A polygon whose corners are added one by one.
+    /// Makes a polygon without corners; [`PolygonArea::add`] adds them one by one.
     #[must_use]
     pub fn polygon(&self) -> PolygonArea<'_, T> {
         PolygonArea::new(self)
-    }
-}
-
-/// The product of two numbers, exactly (Dekker).
-fn product<T: Real>(x: T, y: T) -> Split<T> {
-    let angle = x * y;
-    let (xh, xl) = x.split();
-    let (yh, yl) = y.split();
-    Split {
-        angle,
-        rest: ((xh * yh - angle) + xh * yl + xl * yh) + xl * yl,
     }
 }

@@ -1,13 +1,13 @@
 use super::Area;
-use crate::geodesic::degrees::{Split, longitude_difference};
-use crate::geodesic::sum::Sum;
+use crate::geodesic::angle::longitude_difference;
+use crate::math::DoubleWord;
 use crate::{LatLon, Real};
 
-/// A polygon of geodesics: add its corners in order, then ask for its area and perimeter.
+/// Area and perimeter of a polygon whose edges are geodesics, from [`Area::polygon`]: add its corners in order, then ask.
 ///
-/// Corners may coincide, and edges may cross; the ring may run round a pole any number of times. A pole has a
-/// longitude: between two corners at the same pole the edge turns there. Between opposite meridians the edge
-/// goes over the pole that [`Karney::solve`](super::Karney::solve) takes.
+/// Corners may coincide, edges may cross, and the ring may run round a pole any number of times. A pole has a longitude:
+/// between two corners at the same pole the edge turns there. Between opposite meridians the edge goes over the pole that
+/// [`Karney::solve`](super::Karney::solve) takes.
 ///
 /// ```
 /// use terrella::geodesic::Area;
@@ -22,13 +22,14 @@ use crate::{LatLon, Real};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias = "geod_polygon", alias = "geod_polygon_init")]
 pub struct PolygonArea<'a, T> {
     area: &'a Area<T>,
     first: Option<LatLon<T>>,
     last: Option<LatLon<T>>,
     /// What lies to the left of the edges, less whole ellipsoids: in (−½, ½] of one.
-    left: Sum<T>,
-    perimeter: Sum<T>,
+    left: DoubleWord<T>,
+    perimeter: DoubleWord<T>,
     /// Whether the edges have crossed the meridian 0 an odd number of times.
     odd: bool,
 }
@@ -39,13 +40,13 @@ impl<'a, T: Real> PolygonArea<'a, T> {
             area,
             first: None,
             last: None,
-            left: Sum::default(),
-            perimeter: Sum::default(),
+            left: DoubleWord::default(),
+            perimeter: DoubleWord::default(),
             odd: false,
         }
     }
 
-    /// Adds a corner.
+    /// Adds a corner. The edge from the last corner to it is the shortest line.
     pub fn add(&mut self, corner: LatLon<T>) {
         if let Some(last) = self.last {
             self.edge(last, corner);
@@ -54,28 +55,27 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         self.last = Some(corner);
     }
 
-    /// The area in m² to the left of the edges, less as many whole ellipsoids as bring it into (−½, ½] of
-    /// one: positive if the corners run counter-clockwise round less than a half, negative for a hole, whose
-    /// corners run clockwise, and positive for exactly a half. Of a ring that runs round several times each
-    /// time counts.
+    /// Returns the area in m² to the left of the edges; 0 without corners.
     ///
-    /// The errors are those of [`Area`], added up over the edges.
+    /// It is positive if the corners run counter-clockwise round less than half of the ellipsoid, negative if they run
+    /// clockwise, as round a hole, and positive for exactly a half: as many whole ellipsoids are subtracted as bring it
+    /// into (−½, ½] of one. If a ring runs round several times, each time counts. The errors of the edges, those of
+    /// [`Area`], add up.
     #[must_use]
     pub fn area(&self) -> T {
         let mut closed = self.closed();
         // Round a pole the areas under the edges leave half of the ellipsoid out.
         let whole = self.area.whole();
         if closed.odd {
-            add(&mut closed.left, whole.half());
+            closed.left.add_double(whole.half());
             reduce(&mut closed.left, whole);
         }
-        let Split { angle, rest } = whole.half();
-        let (left, half) = (closed.left.value(), angle + rest);
+        let (left, half) = (closed.left.value(), whole.half().value());
         // A half but for rounding is a half.
         if left <= -half { half } else { left }
     }
 
-    /// The length of all edges in metres, the closing one included.
+    /// Returns the length of all edges in metres, with the closing one. The errors of the distances add up.
     #[must_use]
     pub fn perimeter(&self) -> T {
         self.closed().perimeter.value()
@@ -93,10 +93,10 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         let (distance, under) = self.area.edge(from, to);
         self.perimeter.add(distance);
         // Eastward the equator is to the right.
-        add(&mut self.left, opposite(under));
+        self.left.add_double(under.negated());
         reduce(&mut self.left, self.area.whole());
         // East or west as the geodesic itself goes: the meridian 0 counts to the east.
-        let east = longitude_difference(from, to).angle;
+        let east = longitude_difference(from, to).high;
         self.odd ^= match (from.lon() < T::ZERO, to.lon() < T::ZERO) {
             (true, false) => east > T::ZERO,
             (false, true) => east < T::ZERO,
@@ -105,27 +105,14 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     }
 }
 
-/// Adds a number and its rest.
-fn add<T: Real>(sum: &mut Sum<T>, value: Split<T>) {
-    sum.add(value.angle);
-    sum.low += value.rest;
-}
-
 /// A sum brought into (−½, ½] of a whole, from less than a whole outside.
-fn reduce<T: Real>(sum: &mut Sum<T>, whole: Split<T>) {
+fn reduce<T: Real>(sum: &mut DoubleWord<T>, whole: DoubleWord<T>) {
     let half = whole.half();
-    let over = (sum.high - half.angle) + (sum.low - half.rest);
-    let under = (sum.high + half.angle) + (sum.low + half.rest);
+    let over = (sum.high - half.high) + (sum.low - half.low);
+    let under = (sum.high + half.high) + (sum.low + half.low);
     if over > T::ZERO {
-        add(sum, opposite(whole));
+        sum.add_double(whole.negated());
     } else if under <= T::ZERO {
-        add(sum, whole);
-    }
-}
-
-fn opposite<T: Real>(value: Split<T>) -> Split<T> {
-    Split {
-        angle: -value.angle,
-        rest: -value.rest,
+        sum.add_double(whole);
     }
 }

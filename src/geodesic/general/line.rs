@@ -1,15 +1,18 @@
 use core::f64::consts::PI;
 
-use super::Karney;
-use super::angle::Angle;
-use super::inverse::{rounded, tiny};
-use super::series::{Row, Series};
+use super::Solver;
+use super::canonical::{rounded, tiny};
 use crate::geodesic::GeodesicError;
-use crate::geodesic::degrees::{hypot, wrapped};
-use crate::math::select;
+use crate::geodesic::angle::{Angle, wrapped};
+use crate::geodesic::series::{Integrals, Row};
+use crate::geodesic::sphere::node;
+use crate::math::{atan2_degrees, hypot, select};
 use crate::{LatLon, Real};
 
-/// A geodesic from one place in one direction, on which many points are wanted.
+/// A geodesic from one place at one azimuth: for many points at different distances on the same line.
+///
+/// [`Karney::line`](crate::geodesic::Karney::line) makes one. What depends on the start alone is computed once:
+/// each further point costs less than a direct problem, and comes with reduced length and scales.
 ///
 /// ```
 /// use terrella::geodesic::Karney;
@@ -23,10 +26,10 @@ use crate::{LatLon, Real};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Line<T> {
-    karney: Karney<T>,
+    solver: Solver<T>,
     lon1: T,
     alpha0: Angle<T>,
-    pub(super) alpha1: Angle<T>,
+    pub(in crate::geodesic) alpha1: Angle<T>,
     sigma1: Angle<T>,
     omega1: Angle<T>,
     dn1: T,
@@ -46,27 +49,29 @@ pub struct Line<T> {
     tau1: Angle<T>,
 }
 
-/// A point of a [`Line`].
+/// A point of a [`Line`], from [`Line::at`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinePoint<T> {
-    /// Where it is.
+    /// The latitude and longitude of the point.
     pub position: LatLon<T>,
     /// The azimuth of travel there, in degrees clockwise from north, in [−180, 180].
     pub azimuth: T,
-    /// The arc on the auxiliary sphere from the line's start, in degrees.
+    /// The arc σ₁₂ on the auxiliary sphere from the start of the line to the point, in degrees; negative behind the
+    /// start.
     pub arc: T,
-    /// The reduced length in metres: how far a turn of one radian at the start moves the point.
+    /// The reduced length m₁₂ in metres: a turn of one radian at the start moves the point by this much sideways.
     pub reduced_length: T,
-    /// The geodesic scale M₁₂: how far apart there are lines that start parallel, one metre apart.
+    /// The geodesic scale M₁₂, without a unit: two lines that start parallel and one metre apart are M₁₂ metres apart
+    /// at the point.
     pub scale12: T,
-    /// The geodesic scale M₂₁, the same from the point back to the start.
+    /// The geodesic scale M₂₁: the same for two lines that are parallel at the point, at the start.
     pub scale21: T,
 }
 
 /// A point as the area needs it.
 #[derive(Clone, Copy)]
-pub(super) struct Place<T> {
+pub struct Place<T> {
     pub point: LinePoint<T>,
     pub alpha2: Angle<T>,
     pub sigma12: Angle<T>,
@@ -74,16 +79,15 @@ pub(super) struct Place<T> {
 }
 
 impl<T: Real> Line<T> {
-    pub(super) fn new(karney: &Karney<T>, from: LatLon<T>, azimuth: T) -> Result<Self, GeodesicError<T>> {
+    /// The line from a place at an azimuth in degrees.
+    pub(in crate::geodesic) fn new(solver: &Solver<T>, from: LatLon<T>, azimuth: T) -> Result<Self, GeodesicError<T>> {
         if !azimuth.is_finite() {
             return Err(GeodesicError::Azimuth(azimuth));
         }
         let alpha1 = Angle::degrees(rounded(azimuth.remainder(T::of(360.0))));
-        let (beta1, _) = karney.reduced(rounded(from.lat()));
-        let alpha0 = Angle {
-            sin: alpha1.sin * beta1.cos,
-            cos: hypot(alpha1.cos, alpha1.sin * beta1.sin),
-        };
+        let (beta1, _) = solver.parametric(rounded(from.lat()));
+        let alpha0 = node(alpha1, beta1);
+        // Along the equator any point is the node.
         let equatorial = beta1.sin == T::ZERO && alpha1.cos == T::ZERO;
         let cos = select(equatorial, T::ONE, beta1.cos * alpha1.cos);
         let sigma1 = Angle::of(beta1.sin, cos);
@@ -91,59 +95,59 @@ impl<T: Real> Line<T> {
             sin: alpha0.sin * beta1.sin,
             cos,
         };
-        let series = &karney.series;
-        let k2 = alpha0.cos * alpha0.cos * karney.ellipsoid.ep2();
-        let epsilon = Series::epsilon(k2);
-        let factor = -karney.ellipsoid.f() * alpha0.sin;
-        let (c1, c2) = (series.c1(epsilon), series.c2(epsilon));
-        let c3 = series.c3(epsilon).map(|c| factor * c);
-        let b11 = series.sines(&c1, sigma1);
+        let integrals = &solver.integrals;
+        let k2 = alpha0.cos * alpha0.cos * solver.ellipsoid.ep2();
+        let epsilon = Integrals::epsilon(k2);
+        let factor = -solver.ellipsoid.f() * alpha0.sin;
+        let (c1, c2) = (integrals.c1(epsilon), integrals.c2(epsilon));
+        let c3 = integrals.c3(epsilon).map(|c| factor * c);
+        let b11 = integrals.sines(&c1, sigma1);
         Ok(Self {
-            karney: *karney,
+            solver: *solver,
             lon1: from.lon(),
             alpha0,
             alpha1,
             sigma1,
             omega1,
-            dn1: karney.dn(beta1.sin),
+            dn1: solver.dn(beta1.sin),
             k2,
-            a1: series.a1_less_1(epsilon),
-            a2: series.a2_less_1(epsilon),
+            a1: integrals.a1_less_1(epsilon),
+            a2: integrals.a2_less_1(epsilon),
             c1,
-            c1_reverted: series.c1_reverted(epsilon),
+            c1_reverted: integrals.c1_reverted(epsilon),
             c2,
-            a3: factor * series.a3(epsilon),
+            a3: factor * integrals.a3(epsilon),
             c3,
             b11,
-            b21: series.sines(&c2, sigma1),
-            b31: series.sines(&c3, sigma1),
+            b21: integrals.sines(&c2, sigma1),
+            b31: integrals.sines(&c3, sigma1),
             tau1: sigma1.plus(Angle::radians(b11)),
         })
     }
 
-    /// The point at a distance in metres from the start; a negative distance lies behind it.
+    /// Returns the point at a distance in metres from the start; a negative distance lies behind it.
     ///
     /// # Errors
-    /// [`GeodesicError::Distance`] if it is not finite; [`GeodesicError::TooFar`] if it is longer than 10⁵
-    /// (`f64`) or 100 (`f32`) polar radii times the mean of √(1 + k² sin²σ) on the line, A₁.
+    /// [`GeodesicError::Distance`] if the distance is not finite. [`GeodesicError::TooFar`] if it is longer than 10⁵
+    /// (`f32`: 100) polar radii times A₁, the mean of √(1 + k² sin²σ) on the line: 6·10⁸ km (6·10⁵ km) on the Earth.
     pub fn at(&self, distance: T) -> Result<LinePoint<T>, GeodesicError<T>> {
         self.place(distance).map(|place| place.point)
     }
 
-    pub(super) fn alpha0(&self) -> Angle<T> {
+    pub(in crate::geodesic) fn alpha0(&self) -> Angle<T> {
         self.alpha0
     }
 
-    pub(super) fn sigma1(&self) -> Angle<T> {
+    pub(in crate::geodesic) fn sigma1(&self) -> Angle<T> {
         self.sigma1
     }
 
-    pub(super) fn place(&self, distance: T) -> Result<Place<T>, GeodesicError<T>> {
+    pub(in crate::geodesic) fn place(&self, distance: T) -> Result<Place<T>, GeodesicError<T>> {
         let Self {
-            karney, sigma1, alpha0, ..
+            solver, sigma1, alpha0, ..
         } = self;
-        let series = &karney.series;
-        let b = karney.ellipsoid.b();
+        let integrals = &solver.integrals;
+        let b = solver.ellipsoid.b();
         // One quotient: over many circuits each rounding counts.
         let radius = b + b * self.a1;
         let tau12 = distance / radius;
@@ -154,13 +158,13 @@ impl<T: Real> Line<T> {
             return Err(GeodesicError::refused(distance, longest * radius));
         }
         let tau2 = self.tau1.plus(Angle::radians(tau12));
-        let b12 = -series.sines(&self.c1_reverted, tau2);
+        let b12 = -integrals.sines(&self.c1_reverted, tau2);
         let mut arc = tau12 - (b12 - self.b11);
         let mut sigma12 = Angle::radians(arc);
         let mut sigma2 = sigma1.plus(sigma12);
-        if karney.ellipsoid.f().abs() > T::of(0.01) {
+        if solver.ellipsoid.f().abs() > T::of(0.01) {
             // The reversion converges more slowly than the series: one step of Newton's method.
-            let error = (arc - tau12) + (series.sines(&self.c1, sigma2) - self.b11);
+            let error = (arc - tau12) + (integrals.sines(&self.c1, sigma2) - self.b11);
             arc -= error * (T::ONE + self.a1) / (T::ONE + self.k2 * sigma2.sin * sigma2.sin).sqrt();
             sigma12 = Angle::radians(arc);
             sigma2 = sigma1.plus(sigma12);
@@ -182,13 +186,13 @@ impl<T: Real> Line<T> {
             cos: sigma2.cos,
         };
         let omega12 = omega2.minus(self.omega1).to_radians();
-        let lambda12 = omega12 + (self.a3 * arc + (series.sines(&self.c3, sigma2) - self.b31));
+        let lambda12 = omega12 + (self.a3 * arc + (integrals.sines(&self.c3, sigma2) - self.b31));
         let degree = T::of(180.0 / PI);
         // Of very many circuits the flattening alone makes a circle and more.
         let lon2 = wrapped(self.lon1 + wrapped((lambda12 * degree).remainder(T::of(360.0))));
-        let lat2 = crate::math::atan2_degrees(sin_beta2, karney.axes * cos_beta2);
-        let b1 = (T::ONE + self.a1) * (series.sines(&self.c1, sigma2) - self.b11);
-        let b2 = (T::ONE + self.a2) * (series.sines(&self.c2, sigma2) - self.b21);
+        let lat2 = atan2_degrees(sin_beta2, solver.axes * cos_beta2);
+        let b1 = (T::ONE + self.a1) * (integrals.sines(&self.c1, sigma2) - self.b11);
+        let b2 = (T::ONE + self.a2) * (integrals.sines(&self.c2, sigma2) - self.b21);
         let j12 = (self.a1 - self.a2) * arc + (b1 - b2);
         let t = self.k2 * (sigma2.sin - sigma1.sin) * (sigma2.sin + sigma1.sin) / (self.dn1 + dn2);
         Ok(Place {

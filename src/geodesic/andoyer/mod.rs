@@ -1,16 +1,20 @@
-use super::auxiliary::{Ends, Start, nearly_round};
-use super::degrees::{heading, northward_between_poles, wrapped};
-use super::{Direct, Geodesic, GeodesicError, Inverse};
+use super::angle::{heading, northward_between_poles, wrapped};
+use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::sin_cos;
 use crate::{Ellipsoid, LatLon, Real};
 
-/// Andoyer and Lambert's correction: the great circle between the reduced latitudes, and the flattening to the first order. For
-/// any distance, in closed form.
+mod arc;
+pub(super) mod second;
+
+use arc::{Ends, Start};
+
+/// Andoyer and Lambert's formula: the great circle between the parametric latitudes, corrected to the first order in the
+/// flattening. In closed form, for any distance.
 ///
-/// s = a(σ − f/2 cos²α (σ + sin σ cos 2σₘ)), in Vincenty's symbols; W. D. Lambert, "The distance between two widely
-/// separated points on the surface of the Earth" (1942), where it is written with half angles. The azimuths are turned by
-/// the longitude f σ sin α that the sphere lacks.
+/// s = a(σ − f/2 cos²α₀ (σ + sin σ cos 2σₘ)), with the azimuth α₀ at the equator, the arc σ and its middle σₘ counted from
+/// the equator; W. D. Lambert, *The distance between two widely separated points on the surface of the Earth*, 1942,
+/// writes it with half angles. The azimuths are corrected for the longitude f σ sin α₀ that the sphere lacks.
 ///
 /// Worst error on the Earth at any latitude, in metres:
 ///
@@ -24,7 +28,8 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | to the antipode | 3.5e4 | 2.2e5 | 40 |
 /// | any number of times around | – | – | 1.5e-6 s |
 ///
-/// On other ellipsoids it grows with f², and on a sphere it is that of [`GreatCircle`](super::GreatCircle). `f32` adds 7e-7 of the distance.
+/// On other ellipsoids the error grows with f²; on a sphere it is that of [`GreatCircle`](super::GreatCircle). `f32` adds
+/// 7e-7 of the distance.
 ///
 /// ```
 /// use terrella::geodesic::{Andoyer, Geodesic};
@@ -36,6 +41,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias = "Lambert", alias = "Andoyer-Lambert")]
 pub struct Andoyer<T> {
     a: T,
     f: T,
@@ -43,7 +49,7 @@ pub struct Andoyer<T> {
 }
 
 impl<T: Real> Andoyer<T> {
-    /// For an ellipsoid.
+    /// Makes the method for an ellipsoid.
     ///
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
@@ -62,26 +68,29 @@ impl<T: Real> Andoyer<T> {
 }
 
 impl<T: Real> Geodesic<T> for Andoyer<T> {
-    /// Never an error.
+    /// Never fails.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         let ends = Ends::new(self.axes, from, to);
-        let arc = ends.arc(ends.lon);
-        let lacking = T::of(0.5) * self.f * arc.cos2_alpha * (arc.sigma + arc.sin_sigma * arc.cos_middle);
-        let (azimuth1, azimuth2) = ends.azimuths_after(&arc, self.f * arc.sin_alpha * arc.sigma);
+        let arc = ends.arc(ends.lambda12);
+        let lacking = T::of(0.5) * self.f * arc.cos2_alpha0 * (arc.sigma12 + arc.sin_sigma12 * arc.cos_2sigma_m);
+        let (azimuth1, azimuth2) = ends.azimuths_after(&arc, self.f * arc.sin_alpha0 * arc.sigma12);
         let line = Inverse {
-            distance: self.a * (arc.sigma - lacking),
+            distance: self.a * (arc.sigma12 - lacking),
             azimuth1,
             azimuth2,
         };
         Ok(northward_between_poles(from, to, line))
     }
 
+    /// # Errors
+    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN;
+    /// [`GeodesicError::TooFar`] on an ellipsoid of a metre or less, for a distance that it divides beyond all numbers.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let start = Start::new(self.axes, from, heading(azimuth, distance)?);
         // With the λ reached s = a(σ(1 − f) + f/2 cos²α (σ − sin σ cos 2σₘ)); solved for σ to the first order.
-        let half = T::of(0.5) * self.f * start.cos2_alpha;
+        let half = T::of(0.5) * self.f * start.cos2_alpha0();
         let radius = self.a * (self.axes + half);
         let whole = distance / radius;
         if !whole.is_finite() {
@@ -89,13 +98,19 @@ impl<T: Real> Geodesic<T> for Andoyer<T> {
         }
         let tau = whole.remainder(T::of(2.0 * core::f64::consts::PI));
         let turn = sin_cos(tau);
-        let sigma = tau + half * turn.0 * start.cos_middle(turn);
+        let sigma = tau + half * turn.0 * start.cos_2sigma_m(turn);
         let end = start.end(self.axes, sin_cos(sigma));
-        let shift = self.f * start.sin_alpha * (sigma + (whole - tau));
+        let shift = self.f * start.sin_alpha0() * (sigma + (whole - tau));
         let lon = end.lon - (shift * T::of(180.0 / core::f64::consts::PI)).remainder(T::of(360.0));
         Ok(Direct {
             position: LatLon::within(end.lat, wrapped(wrapped(lon) + from.lon())),
             azimuth: end.azimuth,
         })
+    }
+
+    /// 50 equatorial radii.
+    #[inline(always)]
+    fn reach(&self) -> T {
+        T::of(50.0) * self.a
     }
 }

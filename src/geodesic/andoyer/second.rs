@@ -1,14 +1,15 @@
-use super::auxiliary::{Ends, Start, nearly_round, waves};
-use super::degrees::{heading, northward_between_poles, wrapped};
-use super::{Direct, Geodesic, GeodesicError, Inverse};
+use super::arc::{Ends, Start, waves};
+use crate::geodesic::angle::{heading, northward_between_poles, wrapped};
+use crate::geodesic::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::{max, min, sin_cos};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// [`Andoyer`](super::Andoyer) to the second order in the flattening: as far as Thomas' formula goes, by another way.
+/// The great circle between the parametric latitudes, corrected to the second order in the flattening: the order of
+/// Thomas' formula, by another way. In closed form, for any distance.
 ///
-/// One of Newton's steps on the equation of the longitude that [`Vincenty`](super::Vincenty) solves by
-/// repetition, and the series to ε²: no iteration, and an answer everywhere.
+/// One step of Newton's method on the equation for the longitude that [`Vincenty`](crate::geodesic::Vincenty) solves by
+/// iteration, and the series to ε². It has an answer everywhere.
 ///
 /// Worst error on the Earth at any latitude, in metres:
 ///
@@ -23,7 +24,8 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | to the antipode | 3.5e4 | 2.2e5 | 0.03 |
 /// | any number of times around | – | – | 1.5e-9 s |
 ///
-/// On other ellipsoids it grows with f³, and on a sphere it is that of [`GreatCircle`](super::GreatCircle). `f32` adds 7e-7 of the distance.
+/// On other ellipsoids the error grows with f³; on a sphere it is that of [`GreatCircle`](crate::geodesic::GreatCircle).
+/// `f32` adds 7e-7 of the distance.
 ///
 /// ```
 /// use terrella::geodesic::{AndoyerSecond, Geodesic};
@@ -35,6 +37,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias = "Thomas", alias = "Andoyer-Lambert-Thomas")]
 pub struct AndoyerSecond<T> {
     a: T,
     f: T,
@@ -42,8 +45,8 @@ pub struct AndoyerSecond<T> {
     ep2: T,
 }
 
-/// A₁, 2C₁ₖ, A₃ and 2C₃ₖ of Karney (2013), to the second order in the distance, the first in the longitude.
-struct Series<T> {
+/// A₁, 2C₁ₖ, A₃ and 2C₃ₖ (Karney 17, 18, 24 and 25), to the second order in the distance, the first in the longitude.
+struct SecondOrder<T> {
     a1: T,
     c1: [T; 2],
     a3: T,
@@ -51,7 +54,7 @@ struct Series<T> {
 }
 
 impl<T: Real> AndoyerSecond<T> {
-    /// For an ellipsoid.
+    /// Makes the method for an ellipsoid.
     ///
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
@@ -65,12 +68,12 @@ impl<T: Real> AndoyerSecond<T> {
     }
 
     #[inline(always)]
-    fn series(&self, cos2_alpha: T) -> Series<T> {
-        let k2 = self.ep2 * cos2_alpha;
+    fn series(&self, cos2_alpha0: T) -> SecondOrder<T> {
+        let k2 = self.ep2 * cos2_alpha0;
         let root = T::ONE + (T::ONE + k2).sqrt();
         let e = k2 / (root * root);
         let half = T::of(0.5) * e;
-        Series {
+        SecondOrder {
             a1: (T::ONE + T::of(0.25) * e * e) / (T::ONE - e),
             c1: [-e, T::of(-0.125) * e * e],
             a3: T::ONE - half,
@@ -80,31 +83,38 @@ impl<T: Real> AndoyerSecond<T> {
 }
 
 impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
-    /// Never an error.
+    /// Never fails.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
         let ends = Ends::new(self.axes, from, to);
-        let first = ends.arc(ends.lon);
-        let series = self.series(first.cos2_alpha);
-        let integral = series.a3 * (first.sigma + first.waves(&series.c3, 1));
-        let shift = ends.side * self.f * first.sin_alpha * integral;
-        let slope = T::ONE - ends.side * self.f * first.bend * integral - self.f * first.sin_alpha * first.sin_alpha;
+        let first = ends.arc(ends.lambda12);
+        let series = self.series(first.cos2_alpha0);
+        let integral = series.a3 * (first.sigma12 + first.waves(&series.c3, 1));
+        let shift = ends.side * self.f * first.sin_alpha0 * integral;
+        let slope =
+            T::ONE - ends.side * self.f * first.dsin_alpha0 * integral - self.f * first.sin_alpha0 * first.sin_alpha0;
         // Near the antipode of a prolate ellipsoid the step could go anywhere.
-        let arc = ends.arc(max(min(ends.lon + shift / max(slope, T::of(0.5)), T::of(2.0)), T::ZERO));
-        let series = self.series(arc.cos2_alpha);
+        let arc = ends.arc(max(
+            min(ends.lambda12 + shift / max(slope, T::of(0.5)), T::of(2.0)),
+            T::ZERO,
+        ));
+        let series = self.series(arc.cos2_alpha0);
         let (azimuth1, azimuth2) = arc.azimuths();
         let line = Inverse {
-            distance: self.a * (self.axes * series.a1 * (arc.sigma + arc.waves(&series.c1, 2))),
+            distance: self.a * (self.axes * series.a1 * (arc.sigma12 + arc.waves(&series.c1, 2))),
             azimuth1,
             azimuth2,
         };
         Ok(northward_between_poles(from, to, line))
     }
 
+    /// # Errors
+    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN;
+    /// [`GeodesicError::TooFar`] on an ellipsoid of a metre or less, for a distance that it divides beyond all numbers.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let start = Start::new(self.axes, from, heading(azimuth, distance)?);
-        let series = self.series(start.cos2_alpha);
+        let series = self.series(start.cos2_alpha0());
         let radius = self.a * (self.axes * series.a1);
         let whole = distance / radius;
         if !whole.is_finite() {
@@ -114,16 +124,22 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
         let mut sigma = tau;
         for _ in 0..2 {
             let turn = sin_cos(sigma);
-            sigma = tau - waves(&series.c1, 2, turn, start.cos_middle(turn));
+            sigma = tau - waves(&series.c1, 2, turn, start.cos_2sigma_m(turn));
         }
         let turn = sin_cos(sigma);
-        let lag = waves(&series.c3, 1, turn, start.cos_middle(turn));
-        let shift = self.f * start.sin_alpha * series.a3 * ((sigma + (whole - tau)) + lag);
+        let lag = waves(&series.c3, 1, turn, start.cos_2sigma_m(turn));
+        let shift = self.f * start.sin_alpha0() * series.a3 * ((sigma + (whole - tau)) + lag);
         let end = start.end(self.axes, turn);
         let lon = end.lon - (shift * T::of(180.0 / core::f64::consts::PI)).remainder(T::of(360.0));
         Ok(Direct {
             position: LatLon::within(end.lat, wrapped(wrapped(lon) + from.lon())),
             azimuth: end.azimuth,
         })
+    }
+
+    /// 50 equatorial radii.
+    #[inline(always)]
+    fn reach(&self) -> T {
+        T::of(50.0) * self.a
     }
 }

@@ -1,21 +1,20 @@
-use super::auxiliary::nearly_round;
-use super::degrees::{Split, latitude_difference, longitude_difference};
-use super::sum::Sum;
+use super::angle::{latitude_difference, longitude_difference};
+use super::nearly_round;
 use crate::latitude::UnsupportedFlattening;
+use crate::math::DoubleWord;
 use crate::{Ellipsoid, LatLon, Real};
 
-/// Areas of fields, to some hundred kilometres across: in `f32` as exact as the corners.
+/// Areas of fields of up to some hundred kilometres, in the tangent plane: in `f32` as exact as the corners.
 ///
-/// [`Area`](super::Area) sums the areas between each edge and the equator. What a field is less than these it
-/// loses to rounding, in `f32` all of it. Here only differences from the polygon's first corner count.
-/// [`Self::local`] takes corners as offsets from an origin, which single precision holds to 2⁻²⁴ of
-/// themselves, where it holds latitudes and longitudes to 0.4 m. Corners may be anywhere, at a pole and round
-/// it, too.
+/// [`Area`](super::Area) adds the areas between the edges and the equator, which are far larger than a field: in `f32`
+/// nothing of the field is left. Here only differences from the polygon's first corner count. [`PlanarArea::local`] takes
+/// corners as offsets from an origin: `f32` holds offsets to 2⁻²⁴ of themselves, latitudes and longitudes only to 0.4 m.
+/// Corners may be anywhere, also at a pole and round it.
 ///
-/// For a perimeter P and corners at most D apart, D ≤ R/5, an error is at most P D (r + 0.038 e² (D/R)² +
-/// 0.032 (D/R)⁴), R = a(1 − f)², r = 3·10⁻¹⁶ in `f64` and 1.2·10⁻⁷ in `f32`. Of fields about as wide as long,
-/// their middle 0 to 200 km from the origin, at latitudes 0 to 89.9, the largest seen were, as a part of the
-/// area,
+/// For a perimeter P and corners at most D apart, D ≤ R/5, the error is at most
+/// P D (r + 0.038 e² (D/R)² + 0.032 (D/R)⁴), with R = a(1 − f)² and r = 3·10⁻¹⁶ (`f32`: 1.2·10⁻⁷). The largest errors
+/// seen, as a part of the area, of fields about as wide as long, with their middle 0 to 200 km from the origin, at
+/// latitudes 0 to 89.9:
 ///
 /// | across | `f64` | `f32` |
 /// |---|---|---|
@@ -23,10 +22,10 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 100 km | 3·10⁻⁷ | 6·10⁻⁷ |
 /// | 200 km | 10⁻⁶ | 10⁻⁶ |
 ///
-/// Corners are projected orthographically on the tangent plane at the first one. The triangle of that corner
-/// and the edge from b to c has the area ½ b × c there, and ½ b × c (1 + (b² + c² + (c − b)²)/(8MN)) on the
-/// ellipsoid: on a sphere of the same curvature 1/(MN) edges are straight in the gnomonic projection, and the
-/// integral of its areal scale over the triangle is, to the second order, this polynomial.
+/// Corners are projected orthographically on the tangent plane at the first one. The triangle of that corner and the edge
+/// from b to c has the area ½ b × c in the plane, and ½ b × c (1 + (b² + c² + (c − b)²)/(8MN)) on the ellipsoid: edges are
+/// straight in the gnomonic projection of the sphere with the same curvature 1/(MN), and the integral of its areal scale
+/// over the triangle is this polynomial, to the second order.
 ///
 /// ```
 /// use terrella::geodesic::PlanarArea;
@@ -49,7 +48,7 @@ pub struct PlanarArea<T> {
     origin: T,
 }
 
-/// A polygon of geodesics: add its corners in order, then ask for its area. From [`PlanarArea::polygon`].
+/// The area of a polygon whose edges are geodesics, from [`PlanarArea::polygon`]: add its corners in order, then ask.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PlanarPolygon<T> {
@@ -57,16 +56,16 @@ pub struct PlanarPolygon<T> {
     first: Option<(LatLon<T>, Tangent<T>)>,
     /// The last corner, east and north of the first in metres.
     last: [T; 2],
-    doubled: Sum<T>,
+    doubled: DoubleWord<T>,
 }
 
 /// The ellipsoid about a polygon's first corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Tangent<T> {
-    /// Of 1, u, u², u³ with u in radians north: the distance from the axis.
+    /// The distance from the axis, by powers 1, u, u², u³ of the radians u to the north.
     axis: [T; 4],
-    /// Of u, u², u³: the distance to the north in the tangent plane.
+    /// The distance to the north in the tangent plane, by powers u, u², u³.
     north: [T; 3],
     sin: T,
     /// 1/(8MN), an eighth of the curvature.
@@ -74,7 +73,7 @@ struct Tangent<T> {
 }
 
 impl<T: Real> PlanarArea<T> {
-    /// For places given as latitudes and longitudes.
+    /// Makes the area measure of an ellipsoid, for corners given as latitudes and longitudes.
     ///
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
@@ -82,7 +81,7 @@ impl<T: Real> PlanarArea<T> {
         nearly_round(ellipsoid).map(|ellipsoid| Self::within(ellipsoid, T::ZERO))
     }
 
-    /// For places given as degrees north and east of an origin.
+    /// Makes the area measure of an ellipsoid, for corners given as degrees north and east of an origin.
     ///
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
@@ -90,26 +89,26 @@ impl<T: Real> PlanarArea<T> {
         nearly_round(ellipsoid).map(|ellipsoid| Self::within(ellipsoid, origin.lat()))
     }
 
-    /// For an ellipsoid known to be nearly round, and the latitude that those of the places are counted from.
+    /// For an ellipsoid known to be nearly round, and the latitude that those of the corners are counted from.
     pub(crate) const fn within(ellipsoid: Ellipsoid<T>, origin: T) -> Self {
         Self { ellipsoid, origin }
     }
 
-    /// A polygon whose corners are added one by one.
+    /// Makes a polygon without corners; [`PlanarPolygon::add`] adds them one by one.
     #[must_use]
     pub fn polygon(&self) -> PlanarPolygon<T> {
         PlanarPolygon {
             area: *self,
             first: None,
             last: [T::ZERO; 2],
-            doubled: Sum::default(),
+            doubled: DoubleWord::default(),
         }
     }
 
     fn tangent(&self, place: LatLon<T>) -> Tangent<T> {
         let half = T::of(0.5);
         let third = T::of(1.0 / 3.0);
-        let (s, c) = Split::sum(self.origin, place.lat()).sin_cos();
+        let (s, c) = DoubleWord::sum(self.origin, place.lat()).sin_cos_degrees();
         let e2 = self.ellipsoid.e2();
         let w2 = T::ONE - e2 * s * s;
         // M = a(1 − e²)/W³, N = a/W, (N cos φ)′ = −M sin φ, M′ = 3Me² sin φ cos φ/W².
@@ -149,7 +148,8 @@ impl<T: Real> PlanarPolygon<T> {
         self.last = [east, north];
     }
 
-    /// The area in m², positive if the corners run counter-clockwise, negative if clockwise.
+    /// Returns the area in m², positive if the corners run counter-clockwise, negative if clockwise; 0 for fewer than
+    /// three corners.
     #[must_use]
     pub fn area(&self) -> T {
         T::of(0.5) * self.doubled.value()
@@ -159,9 +159,9 @@ impl<T: Real> PlanarPolygon<T> {
 impl<T: Real> Tangent<T> {
     /// East and north in the tangent plane in metres, of a place so far north and east of the first corner.
     #[inline(always)]
-    fn plane(&self, lat: Split<T>, lon: Split<T>) -> [T; 2] {
-        let u = (lat.angle + lat.rest) * T::of(core::f64::consts::PI / 180.0);
-        let (sin, cos) = lon.half().sin_cos();
+    fn plane(&self, lat: DoubleWord<T>, lon: DoubleWord<T>) -> [T; 2] {
+        let u = lat.value() * T::of(core::f64::consts::PI / 180.0);
+        let (sin, cos) = lon.half().sin_cos_degrees();
         let [p, q, r, s] = self.axis;
         let axis = p + u * (q + u * (r + u * s));
         let [p, q, r] = self.north;

@@ -1,10 +1,9 @@
-//! The plane between two places, whose scales are those of the middle latitude: what the flat methods share.
+//! The mid-latitude formula: between two places the ellipsoid is a plane whose scales are those of their mean latitude.
+//! What [`Flat`](super::Flat) and [`Plane`](super::Plane) share.
 
-use super::degrees::{
-    Split, heading, hypot, latitude_difference, longitude_difference, northward_between_poles, wrapped,
-};
+use super::angle::{heading, latitude_difference, longitude_difference, northward_between_poles, wrapped};
 use super::{Direct, GeodesicError, Inverse};
-use crate::math::{atan2_degrees, max, min, select, sin_cos_degrees};
+use crate::math::{DoubleWord, atan2_degrees, hypot, max, min, select, sin_cos_degrees};
 use crate::{LatLon, Real};
 
 /// Metres in a degree of latitude and of longitude, and the sine of the latitude.
@@ -15,12 +14,16 @@ pub(super) struct Scale<T> {
 }
 
 #[inline(always)]
-pub(super) fn inverse<T: Real>(from: LatLon<T>, to: LatLon<T>, scale: impl Fn(Split<T>) -> Scale<T>) -> Inverse<T> {
+pub(super) fn inverse<T: Real>(
+    from: LatLon<T>,
+    to: LatLon<T>,
+    scale: impl Fn(DoubleWord<T>) -> Scale<T>,
+) -> Inverse<T> {
     let lat = latitude_difference(from, to);
     let lon = longitude_difference(from, to);
-    let lon = lon.angle + lon.rest;
-    let scale = scale(Split::sum(from.lat(), to.lat()).half());
-    let (north, east) = ((lat.angle + lat.rest) * scale.north, lon * scale.east);
+    let lon = lon.value();
+    let scale = scale(DoubleWord::sum(from.lat(), to.lat()).half());
+    let (north, east) = (lat.value() * scale.north, lon * scale.east);
     let azimuth = atan2_degrees(east, north);
     let convergence = T::of(0.5) * lon * scale.sin;
     let line = Inverse {
@@ -31,13 +34,13 @@ pub(super) fn inverse<T: Real>(from: LatLon<T>, to: LatLon<T>, scale: impl Fn(Sp
     northward_between_poles(from, to, line)
 }
 
-/// Three steps toward the middle latitude of where it leads.
+/// The middle latitude depends on the end: three steps toward it.
 #[inline(always)]
 pub(super) fn direct<T: Real>(
     from: LatLon<T>,
     azimuth: T,
     distance: T,
-    scale: impl Fn(Split<T>) -> Scale<T>,
+    scale: impl Fn(DoubleWord<T>) -> Scale<T>,
 ) -> Result<Direct<T>, GeodesicError<T>> {
     let (sin1, cos1) = heading(azimuth, distance)?;
     let (half, half_circle) = (T::of(0.5), T::of(180.0));
@@ -45,7 +48,7 @@ pub(super) fn direct<T: Real>(
     let (mut lat, mut lon, mut convergence) = (T::ZERO, T::ZERO, T::ZERO);
     for _ in 0..3 {
         let middle = within(from.lat() + half * lat, T::of(90.0));
-        let scale = scale(Split::sum(middle, T::ZERO));
+        let scale = scale(DoubleWord::sum(middle, T::ZERO));
         let (sin, cos) = sin_cos_degrees(convergence);
         lat = within(distance * ((cos1 * cos - sin1 * sin) / scale.north), half_circle);
         lon = within(distance * ((sin1 * cos + cos1 * sin) / scale.east), half_circle);

@@ -1,19 +1,21 @@
+//! The iteration: Newton's method for the azimuth α₁, kept inside a bracket by bisection (Karney, section 4).
+
 use core::f64::consts::PI;
 
-use super::Karney;
-use super::angle::Angle;
-use super::inverse::{Arc, Canonical, arc_between, tiny};
-use super::series::Series;
+use super::Solver;
+use super::canonical::{Canonical, Segment, arc_between, tiny};
 use crate::Real;
-use crate::geodesic::degrees::hypot;
+use crate::geodesic::angle::Angle;
+use crate::geodesic::series::Integrals;
+use crate::geodesic::sphere::{arc_from_node, node};
 use crate::math::{atan2, max};
 
-/// One evaluation of the longitude.
+/// One evaluation of the hybrid problem: the geodesic from point 1 at α₁ to where it meets the latitude of point 2.
 struct Hybrid<T> {
     /// λ₁₂(α₁) − λ₁₂, and its derivative by α₁ if it was asked for.
     excess: T,
     slope: T,
-    sigma: T,
+    sigma12: T,
     sigma1: Angle<T>,
     sigma2: Angle<T>,
     alpha2: Angle<T>,
@@ -23,8 +25,8 @@ struct Hybrid<T> {
 }
 
 impl<T: Real> Canonical<T> {
-    /// Newton's method on λ₁₂(α₁), kept inside a bracket by bisection.
-    pub(super) fn iterate(&self, karney: &Karney<T>, start: Angle<T>) -> Arc<T> {
+    /// The root of λ₁₂(α₁) − λ₁₂.
+    pub(super) fn newton(&self, solver: &Solver<T>, start: Angle<T>) -> Segment<T> {
         let mut alpha1 = start;
         let mut low = Angle {
             sin: tiny::<T>(),
@@ -34,11 +36,13 @@ impl<T: Real> Canonical<T> {
             sin: tiny::<T>(),
             cos: -T::ONE,
         };
+        // As in GeographicLib: 20 steps, of which 2 to 6 are usual, then as many bisections as a number has digits,
+        // and 10 (`f32`: 10).
         let newton_steps = 20;
         let all_steps = newton_steps + T::terms(63, 34);
         let mut nearly = false;
         let mut step = 0;
-        let mut hybrid = self.hybrid(karney, alpha1, true);
+        let mut hybrid = self.hybrid(solver, alpha1, true);
         loop {
             let v = hybrid.excess;
             let close = T::EPSILON * if nearly { T::of(8.0) } else { T::ONE };
@@ -64,52 +68,51 @@ impl<T: Real> Canonical<T> {
                 alpha1 = Angle::of((low.sin + high.sin) * T::of(0.5), (low.cos + high.cos) * T::of(0.5));
                 nearly = false;
             }
-            hybrid = self.hybrid(karney, alpha1, step < newton_steps);
+            hybrid = self.hybrid(solver, alpha1, step < newton_steps);
         }
-        let omega = self.lambda12.minus(Angle::radians(hybrid.shift));
-        let (mut sigma, mut alpha2) = (hybrid.sigma, hybrid.alpha2);
-        if sigma < T::of(0.5) && omega.cos > T::ZERO {
+        let omega12 = self.lambda12.minus(Angle::radians(hybrid.shift));
+        let (mut sigma12, mut alpha2) = (hybrid.sigma12, hybrid.alpha2);
+        if sigma12 < T::of(0.5) && omega12.cos > T::ZERO {
             // Between neighbours the triangle keeps the digits that the difference of the arcs has lost.
-            let (alphas, side) = self.triangle(omega);
+            let (alphas, side) = self.triangle(omega12);
             [alpha1, alpha2] = alphas.map(|alpha| Angle::of(alpha.sin, alpha.cos));
-            sigma = side.to_radians();
+            sigma12 = side.to_radians();
         }
-        let lengths = karney.lengths(
+        let lengths = solver.lengths(
             hybrid.epsilon,
-            sigma,
-            self.node1(hybrid.sigma1),
-            self.node2(hybrid.sigma2),
+            sigma12,
+            self.end1(hybrid.sigma1),
+            self.end2(hybrid.sigma2),
         );
-        let b = karney.ellipsoid.b();
-        Arc {
-            sigma,
+        let b = solver.ellipsoid.b();
+        Segment {
+            sigma12,
             distance: lengths.distance * b,
             reduced: lengths.reduced * b,
             scales: lengths.scales,
             alpha1,
             alpha2,
-            omega: Some(omega),
+            omega12: Some(omega12),
             evaluations: step + 1,
         }
     }
 
-    /// The hybrid problem: where the geodesic from point 1 at α₁ meets the latitude of point 2 (Karney §4).
-    fn hybrid(&self, karney: &Karney<T>, alpha1: Angle<T>, slope: bool) -> Hybrid<T> {
+    /// Solves the hybrid problem; `slope` asks for the derivative (Karney 46).
+    fn hybrid(&self, solver: &Solver<T>, alpha1: Angle<T>, slope: bool) -> Hybrid<T> {
         let (beta1, beta2) = (self.beta1, self.beta2);
         let mut alpha1 = alpha1;
         if beta1.sin == T::ZERO && alpha1.cos == T::ZERO {
             alpha1.cos = -tiny::<T>();
         }
-        let sin_alpha0 = alpha1.sin * beta1.cos;
-        let cos_alpha0 = hypot(alpha1.cos, alpha1.sin * beta1.sin);
+        let alpha0 = node(alpha1, beta1);
         let omega1 = Angle {
-            sin: sin_alpha0 * beta1.sin,
+            sin: alpha0.sin * beta1.sin,
             cos: alpha1.cos * beta1.cos,
         };
-        let sigma1 = Angle::of(beta1.sin, omega1.cos);
-        // Clairaut, and cos α₂ from it without the difference of squares.
+        let sigma1 = arc_from_node(alpha1, beta1);
+        // Clairaut's relation (Karney 5), and cos α₂ from it without the difference of squares (45).
         let equal = beta2.cos == beta1.cos;
-        let sin_alpha2 = if equal { alpha1.sin } else { sin_alpha0 / beta2.cos };
+        let sin_alpha2 = if equal { alpha1.sin } else { alpha0.sin / beta2.cos };
         let cos_alpha2 = if !equal || beta2.sin.abs() != -beta1.sin {
             let gain = if beta1.cos < -beta1.sin {
                 (beta2.cos - beta1.cos) * (beta1.cos + beta2.cos)
@@ -122,11 +125,11 @@ impl<T: Real> Canonical<T> {
             alpha1.cos.abs()
         };
         let omega2 = Angle {
-            sin: sin_alpha0 * beta2.sin,
+            sin: alpha0.sin * beta2.sin,
             cos: cos_alpha2 * beta2.cos,
         };
         let sigma2 = Angle::of(beta2.sin, omega2.cos);
-        let sigma = arc_between(sigma1, sigma2);
+        let sigma12 = arc_between(sigma1, sigma2);
         let sin_omega = max(omega1.cos * omega2.sin - omega1.sin * omega2.cos, T::ZERO) + T::ZERO;
         let cos_omega = omega1.cos * omega2.cos + omega1.sin * omega2.sin;
         // ω₁₂ less the wanted λ₁₂.
@@ -134,22 +137,22 @@ impl<T: Real> Canonical<T> {
             sin_omega * self.lambda12.cos - cos_omega * self.lambda12.sin,
             cos_omega * self.lambda12.cos + sin_omega * self.lambda12.sin,
         );
-        let epsilon = Series::epsilon(cos_alpha0 * cos_alpha0 * karney.ellipsoid.ep2());
-        let c3 = karney.series.c3(epsilon);
-        let bend = karney.series.sines(&c3, sigma2) - karney.series.sines(&c3, sigma1);
-        let shift = -karney.ellipsoid.f() * sin_alpha0 * (karney.series.a3(epsilon) * sigma + bend);
+        let epsilon = Integrals::epsilon(alpha0.cos * alpha0.cos * solver.ellipsoid.ep2());
+        let c3 = solver.integrals.c3(epsilon);
+        let bend = solver.integrals.sines(&c3, sigma2) - solver.integrals.sines(&c3, sigma1);
+        let shift = -solver.ellipsoid.f() * alpha0.sin * (solver.integrals.a3(epsilon) * sigma12 + bend);
         let slope = if !slope {
             T::ZERO
         } else if cos_alpha2 == T::ZERO {
-            T::of(-2.0) * karney.axes * self.dn1 / beta1.sin
+            T::of(-2.0) * solver.axes * self.dn1 / beta1.sin
         } else {
-            let lengths = karney.lengths(epsilon, sigma, self.node1(sigma1), self.node2(sigma2));
-            lengths.reduced * karney.axes / (cos_alpha2 * beta2.cos)
+            let lengths = solver.lengths(epsilon, sigma12, self.end1(sigma1), self.end2(sigma2));
+            lengths.reduced * solver.axes / (cos_alpha2 * beta2.cos)
         };
         Hybrid {
             excess: eta + shift,
             slope,
-            sigma,
+            sigma12,
             sigma1,
             sigma2,
             alpha2: Angle {

@@ -1,0 +1,14 @@
+use super::{max, select};
+use crate::Real;
+
+/// √(x² + y²), of numbers whose squares underflow too; not of numbers whose squares overflow.
+#[cfg_attr(not(small), inline(always))]
+#[cfg_attr(small, inline(never))]
+pub(crate) fn hypot<T: Real>(x: T, y: T) -> T {
+    let small = max(x.abs(), y.abs()) < T::pick(3.054_936_363_499_605e-151, 8.673_617_4e-19);
+    // 2^±600 and 2^±100.
+    let grow = select(small, T::pick(4.149_515_568_880_993e180, 1.267_650_6e30), T::ONE);
+    let shrink = select(small, T::pick(2.409_919_865_102_884e-181, 7.888_609e-31), T::ONE);
+    let (x, y) = (x * grow, y * grow);
+    (x * x + y * y).sqrt() * shrink
+}
