@@ -112,6 +112,7 @@ pub struct Direct<T> {
 /// Why a method gave no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum GeodesicError<T> {
     /// An azimuth that is infinite or not a number.
     Azimuth(T),
