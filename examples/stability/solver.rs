@@ -84,6 +84,7 @@ fn shown(method: Method) -> (&'static str, &'static str, Figure) {
         Method::AndoyerSecond => ("Andoyer, 2nd order", "#5bd6e0", Figure::Ellipsoid),
         Method::Vincenty => ("Vincenty", "#ef7fb4", Figure::Ellipsoid),
         Method::Karney => ("Karney", "#6fd98f", Figure::Ellipsoid),
+        other => (other.name(), "#ffffff", Figure::Ellipsoid),
     }
 }
 

@@ -5,6 +5,7 @@ use crate::cube::InvalidFacePoint;
 /// How others number the faces and lay their axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Numbering {
     /// Google's S2: faces 0 to 5 outward along X, Y, Z, −X, −Y, −Z.
     S2,

@@ -6,6 +6,7 @@ use crate::{LatLon, Real};
 /// Why a method gave no answer. Each variant carries the value that was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum GeodesicError<T> {
     /// The azimuth is infinite or NaN.
     Azimuth(T),

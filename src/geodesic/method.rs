@@ -26,6 +26,7 @@ macro_rules! methods {
         /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
         pub enum Method {
             $(
                 #[doc = concat!("[`", stringify!($variant), "`](super::", stringify!($variant), "), \"", $name, "\".")]

@@ -9,6 +9,7 @@ use crate::{LatLon, Real};
 /// The surfaces that areas are taken on, from the cheapest to the dearest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Surface {
     /// [`PlanarArea`].
     Plane,
@@ -197,6 +198,7 @@ impl<T: Real> Areas<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[allow(clippy::large_enum_variant)] // nothing here allocates
+#[non_exhaustive]
 pub enum AnyArea<T> {
     /// [`Surface::Plane`].
     Plane(PlanarArea<T>),

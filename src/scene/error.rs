@@ -5,6 +5,7 @@ use super::Bound;
 /// Why a question about a scene has no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum SceneError {
     /// The flattening is not in [0, 1/100].
     Flattening(f64),

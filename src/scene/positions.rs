@@ -8,6 +8,7 @@ use crate::{Enu, Geodetic, LocalFrame, Real};
 /// The models of positions about an origin, from the cheapest to the dearest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum View {
     /// [`Expansion::first_order`].
     Linear,
@@ -167,6 +168,7 @@ impl<T: Real> Positions<T> {
 /// The model that a scene chose, about an origin: [`Positions::about`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum AnyView<T> {
     /// [`View::Linear`].
     Linear(Expansion<T>),

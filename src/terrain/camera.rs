@@ -180,6 +180,7 @@ fn insides<T: Real>([x, y, w]: [T; 3]) -> [T; 5] {
 /// Why [`Camera::new`] refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum InvalidCamera<T> {
     /// A number of the matrix is infinite or NaN.
     Matrix(T),

@@ -78,6 +78,7 @@ impl<T: Real> Detail<T> {
 /// Why there is no such [`Detail`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum InvalidDetail<T> {
     /// Tiles of no samples.
     Samples,

@@ -57,6 +57,7 @@ fn specification<T: Scalar>(numbering: Numbering, face: u8, vector: [T; 3]) -> (
         Numbering::S2 => s2(face, vector),
         Numbering::OpenGl => open_gl(face, vector),
         Numbering::Fits => fits(face, vector),
+        other => panic!("{other:?}"),
     }
 }
 
@@ -68,6 +69,7 @@ fn centres(numbering: Numbering) -> [[f64; 3]; 6] {
         Numbering::S2 => [x, y, z, minus(x), minus(y), minus(z)],
         Numbering::OpenGl => [y, minus(y), z, minus(z), x, minus(x)],
         Numbering::Fits => [z, x, y, minus(x), minus(y), minus(z)],
+        other => panic!("{other:?}"),
     }
 }
 

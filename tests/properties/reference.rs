@@ -193,7 +193,8 @@ pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[
         Projection::Vertex => vertex([x, y]),
         Projection::Balanced => balanced([x, y]),
         Projection::Square => square([x, y]),
-        Projection::CobeExact | Projection::Conformal => return None,
+        // `CobeExact` and `Conformal` have no formula as short.
+        _ => return None,
     })
 }
 

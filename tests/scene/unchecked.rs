@@ -37,6 +37,7 @@ fn hold<T: Real>(seed: u64) {
                 AnyArea::Plane(_) if local => AnyArea::Plane(PlanarArea::local(ellipsoid, place).unwrap()),
                 AnyArea::Plane(_) => AnyArea::Plane(PlanarArea::new(ellipsoid).unwrap()),
                 AnyArea::Ellipsoid(_) => AnyArea::Ellipsoid(Area::new(ellipsoid).unwrap()),
+                _ => panic!("{surface:?}"),
             };
             assert_eq!(method, checked);
         }

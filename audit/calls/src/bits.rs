@@ -191,6 +191,7 @@ parts! {
         GeodesicError::NotConverged(from, to) => (None, Some((*from, *to)), None),
         GeodesicError::TooFar { distance, limit } => (None, None, Some([*distance, *limit])),
         GeodesicError::Fraction(fraction) => (None, None, Some([*fraction; 2])),
+        _ => (None, None, None),
     };
 }
 

@@ -520,11 +520,12 @@ scalar_parts! {
     InvalidCamera |why| match why {
         InvalidCamera::Matrix(entry) => (false, *entry),
         InvalidCamera::Pixels(count) => (true, *count),
+        _ => (true, T::ZERO),
     };
     InvalidDetail |why| match why {
-        InvalidDetail::Samples => (None, None),
         InvalidDetail::Ratio(ratio) => (Some((false, *ratio)), None),
         InvalidDetail::Anisotropy(most) => (Some((true, *most)), None),
         InvalidDetail::Level(tile) => (None, Some(*tile)),
+        _ => (None, None),
     };
 }
