@@ -1,31 +1,11 @@
 //! The README's table of projections, measured afresh.
-#![allow(missing_docs, clippy::indexing_slicing, clippy::type_complexity)] // tests
+#![allow(missing_docs, clippy::indexing_slicing)] // tests
 
-use terrella::cube::Projection;
+use terrella::cube::{Kept, Profile, Projection};
+use testkit::generated;
 
 #[path = "../examples/atlas/measure.rs"]
 mod measure;
-
-/// Projection, what it keeps, true-area ratio, aspect ratio, ε, ω in degrees, and how it is computed to the cube and back.
-#[rustfmt::skip]
-const PROPERTIES: &[(Projection, &str, f64, f64, f64, f64, &str, &str)] = &[
-    (Projection::Tangential,        "great circles straight", 5.196, 2.000, 4.500, 31.1, "÷",          "÷ √"),
-    (Projection::Adjusted,          "",                       1.414, 2.000, 2.000, 31.1, "atan",       "tan"),
-    (Projection::Outerra,           "",                       3.566, 1.013, 3.088, 31.1, "iteration",  "÷ √"),
-    (Projection::Cobe,              "COBE data",              1.221, 2.366, 2.366, 31.1, "polynomial", "polynomial, misses by 2.9e-4"),
-    (Projection::CobeExact,         "COBE data",              1.230, 2.383, 2.383, 31.1, "polynomial", "iteration"),
-    (Projection::Quadrilateralized, "areas",                  1.000, 2.370, 2.370, 25.2, "polynomial", "polynomial"),
-    (Projection::Cartesian,         "",                       1.333, 3.000, 3.000, 31.1, "÷ √",        "√"),
-    (Projection::Healpix,           "areas",                  1.000, 3.334, 3.334, 49.3, "atan",       "tan"),
-    (Projection::S2Quadratic,       "",                       2.097, 2.081, 2.105, 31.1, "÷ √",        "÷ √"),
-    (Projection::EquiEdge,          "",                       2.309, 1.125, 2.000, 31.1, "atan",       "tan"),
-    (Projection::Algebraic,         "",                       1.268, 2.712, 2.712, 31.1, "÷ √",        "÷ √"),
-    (Projection::Vertex,            "areas",                  1.000, 2.035, 2.035, 20.3, "polynomial", "polynomial"),
-    (Projection::Conformal,         "angles",                 f64::INFINITY, 1.000, f64::INFINITY, 0.0, "series", "series"),
-    (Projection::Balanced,          "",                       1.488, 1.403, 1.405, 31.1, "iteration",  "÷ √"),
-    (Projection::Square,            "",                       2.229, 1.013, 1.889, 33.5, "iteration",  "÷ √"),
-    (Projection::Separable,         "",                       1.637, 1.587, 1.587, 31.1, "atan",       "tan"),
-];
 
 fn number(value: f64, digits: usize) -> String {
     if value.is_finite() {
@@ -40,8 +20,17 @@ fn properties_are_as_measured_and_shown() {
     let mut table = String::from(
         "| projection | keeps | area ratio | aspect ratio | ε | ω | to the cube | back |\n|---|---|---|---|---|---|---|---|\n",
     );
-    assert_eq!(PROPERTIES.len(), Projection::ALL.len());
-    for &(projection, keeps, area, aspect, oversize, deformation, forward, inverse) in PROPERTIES {
+    for &projection in Projection::ALL {
+        let &Profile {
+            keeps,
+            area_ratio: area,
+            aspect_ratio: aspect,
+            oversize,
+            deformation,
+            forward,
+            inverse,
+            ..
+        } = projection.profile();
         let m = measure::Measures::of(projection);
         let measured = [
             m.sphere.area_ratio(),
@@ -61,19 +50,25 @@ fn properties_are_as_measured_and_shown() {
                 "{projection}: {claimed} {measured}"
             );
         }
-        assert_eq!(m.is_equal_area(), keeps == "areas", "{projection}");
+        assert_eq!(m.is_equal_area(), keeps == Some(Kept::Areas), "{projection}");
         assert_eq!(m.has_two_kinds(), projection == Projection::Healpix, "{projection}");
-        assert_eq!(m.sphere.is_conformal(), keeps == "angles", "{projection}");
+        assert_eq!(m.sphere.is_conformal(), keeps == Some(Kept::Angles), "{projection}");
+        let keeps = match keeps {
+            Some(Kept::Areas) => "areas",
+            Some(Kept::Angles) => "angles",
+            Some(Kept::GreatCircles) => "great circles",
+            _ => "",
+        };
+        let [to, from] = [forward, inverse].map(|e| format!("{}, {}", e.formula.name(), e.instructions[0]));
         table += &format!(
-            "| {projection} | {keeps} | {} | {} | {} | {:.1}° | {forward} | {inverse} |\n",
+            "| {projection} | {keeps} | {} | {} | {} | {:.1}° | {to} | {from} |\n",
             number(area, 3),
             number(aspect, 3),
             number(oversize, 3),
             deformation
         );
     }
-    let readme = include_str!("../README.md");
-    assert!(readme.contains(&table), "the README lacks this table:\n{table}");
+    generated::section("README.md", "| projection | keeps |", &table);
 }
 
 #[test]

@@ -10,5 +10,5 @@ pub use face::{Corner, Edge, Face, InvalidFace, Neighbour};
 pub use face_point::{FacePoint, InvalidFacePoint};
 pub use map::CubeMap;
 pub use numbering::{InvalidNumbered, Numbering};
-pub(crate) use projection::on_face;
 pub use projection::*;
+pub(crate) use projection::{Decay, on_face};

@@ -1,6 +1,7 @@
 //! The one table of worst errors: the tests hold each figure, and the README shows it.
 
 use terrella::cube::Projection;
+use testkit::generated;
 
 /// What is claimed, its unit, and the largest error in `f64` and in `f32`.
 #[rustfmt::skip]
@@ -46,28 +47,6 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("Karney for f = 1/10 and −1/150, several circuits", "m", [1.9e-8, 12.0]),
 ];
 
-/// The projections: the largest error of x and y, and of the direction in radians, in `f64` and in `f32`; more than a search
-/// found (`tests/properties/projection.rs`; forward, and for two of them back, in `f32` alone: `f64` in proportion), and than any row of the truth.
-#[rustfmt::skip]
-const PROJECTIONS: &[(Projection, [f64; 2], [f64; 2])] = &[
-    (Projection::Tangential,        [1.2e-16, 6.0e-8], [2.7e-16, 1.5e-7]),
-    (Projection::Adjusted,          [3.0e-16, 1.6e-7], [3.0e-16, 1.7e-7]),
-    (Projection::Outerra,           [2.5e-16, 1.4e-7], [3.0e-16, 1.6e-7]),
-    (Projection::Cobe,              [2.0e-16, 1.0e-7], [2.8e-16, 1.5e-7]),
-    (Projection::CobeExact,         [2.0e-16, 1.0e-7], [2.8e-16, 1.5e-7]),
-    (Projection::Quadrilateralized, [6.0e-16, 3.2e-7], [4.8e-16, 2.6e-7]),
-    (Projection::Cartesian,         [4.0e-16, 2.2e-7], [2.8e-16, 1.6e-7]),
-    (Projection::Healpix,           [5.3e-16, 2.9e-7], [5.2e-16, 2.9e-7]),
-    (Projection::S2Quadratic,       [2.8e-16, 1.5e-7], [2.9e-16, 1.7e-7]),
-    (Projection::EquiEdge,          [3.4e-16, 1.8e-7], [3.3e-16, 1.8e-7]),
-    (Projection::Algebraic,         [3.6e-16, 1.9e-7], [2.8e-16, 1.6e-7]),
-    (Projection::Vertex,            [5.0e-16, 2.7e-7], [4.2e-16, 2.4e-7]),
-    (Projection::Conformal,         [5.7e-16, 3.1e-7], [5.0e-16, 2.7e-7]),
-    (Projection::Balanced,          [2.4e-16, 1.3e-7], [2.7e-16, 1.5e-7]),
-    (Projection::Square,            [3.3e-16, 1.8e-7], [3.1e-16, 1.7e-7]),
-    (Projection::Separable,         [3.0e-16, 1.6e-7], [3.1e-16, 1.7e-7]),
-];
-
 /// The largest errors that are claimed under this name.
 pub fn claim(what: &str) -> [f64; 2] {
     let (.., claimed) = FUNCTIONS
@@ -77,13 +56,12 @@ pub fn claim(what: &str) -> [f64; 2] {
     *claimed
 }
 
-/// The largest errors that are claimed of a projection, forward and inverse.
+/// The largest errors that are claimed of a projection, forward and inverse: more than a search found
+/// (`tests/properties/projection.rs`; forward, and for two of them back, in `f32` alone: `f64` in proportion),
+/// and than any row of the truth.
 pub fn claims_of(projection: Projection) -> ([f64; 2], [f64; 2]) {
-    let (_, forward, inverse) = PROJECTIONS
-        .iter()
-        .find(|(name, ..)| *name == projection)
-        .unwrap_or_else(|| panic!("no claim about {projection}"));
-    (*forward, *inverse)
+    let profile = projection.profile();
+    (profile.forward.worst_error, profile.inverse.worst_error)
 }
 
 /// Asserts that a measured pair of errors keeps the claim of this name.
@@ -130,9 +108,9 @@ fn the_readme_shows_this_table() {
         table += &format!("| {what} | {unit} | {double} | {single} |\n");
     }
     table += "\n| projection | x, y: `f64` | `f32` | direction, rad: `f64` | `f32` |\n|---|---|---|---|---|\n";
-    for (projection, [fd, fs], [id, is]) in PROJECTIONS {
+    for &projection in Projection::ALL {
+        let ([fd, fs], [id, is]) = claims_of(projection);
         table += &format!("| {projection} | {fd:?} | {fs:?} | {id:?} | {is:?} |\n");
     }
-    let readme = include_str!("../../README.md");
-    assert!(readme.contains(&table), "the README lacks this table:\n{table}");
+    generated::section("README.md", "| | unit | `f64` | `f32` |", &table);
 }

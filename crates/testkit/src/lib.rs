@@ -1,7 +1,9 @@
 //! What the tests share: the largest of many errors, among which a NaN is not lost as it is by `f64::max`.
 
-#![no_std]
+#![cfg_attr(not(feature = "std"), no_std)]
 
+#[cfg(feature = "std")]
+pub mod generated;
 mod worst;
 
 pub use worst::Worst;

@@ -1,25 +1,38 @@
 use core::f64::consts::FRAC_PI_4;
 
+use super::decay::creased;
+use super::profile::{Kept, projection};
 use super::{CubeProjection, Face, on_face};
 use crate::math::{atan, either, select, tan};
 use crate::{Direction, Real};
 
-/// rHEALPix: HEALPix on a cube, equal-area, side faces for |sin φ| < ⅔ and polar faces of four triangles.
-///
-/// The arrangement is that of rHEALPix (Gibb, Raichev & Speth 2013; PROJ's `rhealpix`), but with the side
-/// faces about the longitudes 0°, 90°, 180° and 270°, where rHEALPix and standard HEALPix have theirs about
-/// 45°, 135°, 225° and 315°: a place is here where theirs has the place 45° to the east. The pixels of
-/// standard HEALPix are diamonds and not tiles of these faces: they are in [`healpix`](crate::healpix).
-///
-/// Górski et al. (2005), arranged as in Dimitrijević, Lambers & Rančić (2016) §4.7; the polar triangles are centred on
-/// longitudes 0°, 90°, 180°, 270°. The side faces are Lambert's cylindrical equal-area projection.
-///
-/// On both kinds of face x or y is proportional to the longitude: from and to latitude and longitude it needs neither direction nor arc
-/// tangent of the longitude.
-#[doc(alias = "rHEALPix")]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Healpix;
+projection! {
+    #[doc(alias = "rHEALPix")]
+    Healpix "healpix" {
+        title: "HEALPix",
+        also: "rHEALPix, hierarchical equal-area iso-latitude pixelation",
+        summary: "rHEALPix, HEALPix on a cube: equal-area, with faces that meet along parallels.",
+        idea: "Where the sine of the latitude is below ⅔, the side faces are Lambert’s cylindrical \
+            equal-area projection. Beyond, each pole has a square of four triangles, whose parallels are \
+            squares around the pole.",
+        origin: "Górski and others (2005), arranged as in Dimitrijević, Lambers & Rančić (2016), §4.7. The \
+            arrangement is that of rHEALPix (Gibb, Raichev & Speth 2013; PROJ’s `rhealpix`), but the side \
+            faces are about the longitudes 0°, 90°, 180° and 270°, where rHEALPix and standard HEALPix \
+            have theirs about 45°, 135°, 225° and 315°: a place is here where theirs has the place 45° to \
+            the east.",
+        choose: "The pixels of standard HEALPix are diamonds: they are in [`healpix`](crate::healpix). Take it for equal areas where rows of cells should follow parallels. Between latitudes \
+            and longitudes, a [`CubeMap`](crate::cube::CubeMap) computes it without directions. \
+            [`Vertex`](super::Vertex) distorts less.",
+        keeps: Some(Kept::Areas),
+        area_ratio: 1.000,
+        aspect_ratio: 3.334,
+        oversize: 3.334,
+        deformation: 49.3,
+        forward: Trigonometric, error [5.3e-16, 2.9e-7], instructions [310, 270];
+        inverse: Trigonometric, error [5.2e-16, 2.9e-7], instructions [130, 100];
+        tiles: creased(0.565, 2.77),
+    }
+}
 
 /// 4/π·atan t for |t| ≤ 1, exact at ±1.
 #[inline(always)]

@@ -1,0 +1,33 @@
+use super::decay::smooth;
+use super::profile::projection;
+use super::tangent::tangent;
+
+projection! {
+    #[doc(alias = "EAC")]
+    #[doc(alias = "ASC")]
+    #[doc(alias = "equiangular")]
+    Adjusted "adjusted" {
+        title: "Adjusted",
+        also: "equi-angular cube, EAC, ASC",
+        summary: "The adjusted (equi-angular) cube, ASC, EAC: x = 4/π·atan u.",
+        idea: "Equal steps along the midline of a face are equal angles at the centre of the sphere. Each \
+            coordinate of the tangential cube is replaced by its arc tangent, scaled so that 45° is on the \
+            edge.",
+        origin: "The cubed sphere of Ronchi, Iacono & Paolucci (1996), for models of the atmosphere; \
+            Google’s EAC for panoramic video; the option \"tan\" of S2; Dimitrijević, Lambers & Rančić \
+            (2016), §4.2.",
+        choose: "It is the best of the published projections by texture oversize. \
+            [`Balanced`](super::Balanced) is better still (1.405 for 2.000); \
+            [`Algebraic`](super::Algebraic) is similar without a trigonometric function.",
+        keeps: None,
+        area_ratio: 1.414,
+        aspect_ratio: 2.000,
+        oversize: 2.000,
+        deformation: 31.1,
+        forward: Trigonometric, error [3.0e-16, 1.6e-7], instructions [220, 200];
+        inverse: Trigonometric, error [3.0e-16, 1.7e-7], instructions [84, 57];
+        tiles: smooth(0.79, 1.37),
+    }
+}
+
+tangent! { Adjusted, core::f64::consts::FRAC_PI_4 }

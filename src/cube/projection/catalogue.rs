@@ -1,0 +1,114 @@
+//! The list of projections, as a type that picks one at run time.
+
+use core::fmt;
+use core::str::FromStr;
+
+use super::Projection;
+use crate::name::unknown;
+
+/// Makes modules, [`Projection`] and its functions of a list.
+macro_rules! projections {
+    ($($module:ident::$variant:ident,)*) => {
+        $(
+            mod $module;
+            pub use $module::$variant;
+        )*
+
+        /// The projections of this crate, to choose one at run time.
+        ///
+        /// Code that knows its projection uses the type instead: then only that one is linked.
+        ///
+        /// ```
+        /// use terrella::{Direction, cube::{CubeProjection, Projection}};
+        /// let projection: Projection = "quadrilateralized".parse().unwrap();
+        /// let p = projection.project(Direction::new(0.0, 0.0, 1.0).unwrap());
+        /// assert_eq!((p.x(), p.y()), (0.0, 0.0));
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+        pub enum Projection {
+            $(
+                #[doc = concat!("[`", stringify!($variant), "`](struct@", stringify!($variant), ").")]
+                $variant,
+            )*
+        }
+
+        impl Projection {
+            /// All projections.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// The name, in lower case.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => const { $module::$variant::PROFILE.name },)*
+                }
+            }
+
+            /// What is known of the projection.
+            #[must_use]
+            pub const fn profile(self) -> &'static Profile {
+                match self {
+                    $(Self::$variant => &$module::$variant::PROFILE,)*
+                }
+            }
+
+            /// The coarseness of its tiles, without the rest of the profile.
+            pub(crate) const fn tiles(self) -> [Decay; 2] {
+                match self {
+                    $(Self::$variant => const { $module::$variant::PROFILE.tiles },)*
+                }
+            }
+        }
+
+        // Not inlined: each function is as long as all projections together.
+        impl CubeProjection for Projection {
+            fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2] {
+                match self {
+                    $(Self::$variant => $module::$variant.forward(face, local),)*
+                }
+            }
+
+            fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3] {
+                match self {
+                    $(Self::$variant => $module::$variant.inverse(face, point),)*
+                }
+            }
+
+            fn with<W: ProjectionTask>(self, task: W) -> W::Output {
+                match self {
+                    $(Self::$variant => task.run($module::$variant),)*
+                }
+            }
+
+            fn is_polar<T: Real>(&self, direction: Direction<T>) -> bool {
+                match self {
+                    $(Self::$variant => $module::$variant.is_polar(direction),)*
+                }
+            }
+        }
+    };
+}
+pub(super) use projections;
+
+impl fmt::Display for Projection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+unknown!(UnknownProjection, "projection", Projection::ALL.iter());
+
+impl FromStr for Projection {
+    type Err = UnknownProjection;
+
+    fn from_str(name: &str) -> Result<Self, UnknownProjection> {
+        Self::ALL
+            .iter()
+            .copied()
+            .find(|p| p.name() == name)
+            .ok_or_else(|| UnknownProjection::new(name))
+    }
+}

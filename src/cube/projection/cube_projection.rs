@@ -1,0 +1,149 @@
+//! The trait of all projections.
+
+use super::on_face;
+use crate::cube::{Face, FacePoint};
+use crate::math::sin_cos_degrees;
+use crate::{Direction, Real};
+
+/// A projection of the sphere onto the six faces of a cube, and back.
+///
+/// To make one of your own, implement [`forward`](Self::forward) and [`inverse`](Self::inverse). All else in this
+/// crate then works with it, in `f64` and `f32`, with derivatives and over slices.
+///
+/// ```
+/// use terrella::cube::{CubeProjection, Face};
+/// use terrella::{Direction, Real};
+///
+/// #[derive(Clone, Copy)]
+/// struct Gnomonic;
+///
+/// impl CubeProjection for Gnomonic {
+///     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
+///         [right / outward, up / outward]
+///     }
+///     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+///         let length = (x * x + y * y + T::ONE).sqrt();
+///         [x / length, y / length, T::ONE / length]
+///     }
+/// }
+///
+/// let point = Gnomonic.project(Direction::new(2.0, 1.0, 0.0)?);
+/// assert_eq!((point.face(), point.x(), point.y()), (Face::Front, 0.5, 0.0));
+/// # Ok::<(), terrella::InvalidDirection<f64>>(())
+/// ```
+pub trait CubeProjection: Copy {
+    /// Returns (x, y) on a face, from a unit vector in the face's frame (right, up, outward).
+    ///
+    /// The vector's length is 1 but for rounding; the result must depend on its direction only.
+    #[must_use]
+    fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2];
+
+    /// Returns the unit vector in the face's frame (right, up, outward), from (x, y) in [−1, 1]².
+    #[must_use]
+    fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3];
+
+    /// Returns whether a direction is on the top or the bottom face: where |z| is the largest component, unless the
+    /// projection has other polar faces.
+    #[must_use]
+    #[inline(always)]
+    fn is_polar<T: Real>(&self, direction: Direction<T>) -> bool {
+        let [x, y, z] = direction.to_array();
+        (z.abs() > y.abs()) & (z.abs() >= x.abs())
+    }
+
+    /// Returns the face of a direction: top or bottom, or the side face of its longitude. Where |x| = |y|, it is
+    /// the face of the axis y.
+    #[must_use]
+    #[inline(always)]
+    fn face<T: Real>(&self, direction: Direction<T>) -> Face {
+        Face::of(self.is_polar(direction), direction)
+    }
+
+    /// Projects a direction to a point on the cube.
+    #[must_use]
+    #[inline(always)]
+    fn project<T: Real>(&self, direction: Direction<T>) -> FacePoint<T> {
+        let face = self.face(direction);
+        let [x, y] = on_face(self.forward(face, face.to_local(direction.to_array())));
+        FacePoint::within(face, x, y)
+    }
+
+    /// Returns the direction of a point on the cube.
+    #[must_use]
+    #[inline(always)]
+    fn unproject<T: Real>(&self, point: FacePoint<T>) -> Direction<T> {
+        let local = self.inverse(point.face(), [point.x(), point.y()]);
+        let [x, y, z] = point.face().to_earth(local);
+        Direction::within(x, y, z)
+    }
+
+    /// Whether latitude and longitude are all that the projection needs. Then a [`CubeMap`](crate::cube::CubeMap) calls
+    /// [`project_place`](Self::project_place) and [`unproject_place`](Self::unproject_place), without directions.
+    #[doc(hidden)]
+    const TAKES_PLACES: bool = false;
+
+    /// From sine and cosine of a latitude on the sphere, and a longitude in [−180, 180] degrees, to the face's
+    /// number, x and y.
+    ///
+    /// ```
+    /// use terrella::cube::{CubeProjection, Face, Healpix};
+    /// let (sin, cos) = (0.6, 0.8);
+    /// let [number, x, y] = Healpix.project_place((sin, cos), 99.0);
+    /// assert_eq!((number, x, y), (f64::from(Face::Right.index()), 0.2, 1.5 * sin));
+    /// ```
+    #[doc(hidden)]
+    #[must_use]
+    #[inline(always)]
+    fn project_place<T: Real>(&self, latitude: (T, T), lon: T) -> [T; 3] {
+        let point = self.project(Direction::from_angles(latitude, sin_cos_degrees(lon)));
+        [T::from_byte(point.face().index()), point.x(), point.y()]
+    }
+
+    /// From a face's number, x and y to sine and cosine of the latitude on the sphere, and the longitude in
+    /// [−180, 180] degrees.
+    ///
+    /// ```
+    /// use terrella::cube::{CubeProjection, Healpix};
+    /// assert_eq!(Healpix.unproject_place([1.0, 0.2, 0.0]), ((0.0, 1.0), 99.0));
+    /// ```
+    #[doc(hidden)]
+    #[must_use]
+    #[inline(always)]
+    fn unproject_place<T: Real>(&self, [number, x, y]: [T; 3]) -> ((T, T), T) {
+        let direction = self.unproject(FacePoint::within(Face::of_number(number), x, y));
+        ((direction.z(), direction.cos_lat()), direction.lon())
+    }
+
+    /// Runs a task with the projection's own type. [`Projection`](super::Projection) runs it with the type that it
+    /// stands for, so that a loop over points chooses once.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn with<W: ProjectionTask>(self, task: W) -> W::Output {
+        task.run(self)
+    }
+}
+
+/// A task for a projection whose type is not known yet: see [`CubeProjection::with`].
+///
+/// ```
+/// use terrella::cube::{CubeProjection, Projection, ProjectionTask};
+///
+/// struct Size;
+///
+/// impl ProjectionTask for Size {
+///     type Output = usize;
+///     fn run<P: CubeProjection>(self, _: P) -> usize {
+///         size_of::<P>()
+///     }
+/// }
+///
+/// assert_eq!(Projection::Vertex.with(Size), 0);
+/// ```
+#[doc(hidden)]
+pub trait ProjectionTask {
+    /// The task's result.
+    type Output;
+
+    /// Runs the task.
+    fn run<P: CubeProjection>(self, projection: P) -> Self::Output;
+}

@@ -1,0 +1,28 @@
+use super::decay::smooth;
+use super::profile::projection;
+use super::tangent::tangent;
+
+projection! {
+    #[doc(alias = "FV3")]
+    EquiEdge "equi-edge" {
+        title: "Equi-edge",
+        also: "equal-distance gnomonic grid",
+        summary: "The equi-edge cube of FV3: u = √2·tan(x·atan(1/√2)).",
+        idea: "It is the adjusted cube, but the steps of equal angle are those along the edges of the cube \
+            instead of the midlines of its faces.",
+        origin: "FV3, the dynamical core of the weather forecast of the United States and of NASA’s GEOS \
+            model.",
+        choose: "Take it to exchange data with FV3. Its cells are nearly square (aspect ratio 1.125), but \
+            their areas vary more than those of [`Adjusted`](super::Adjusted).",
+        keeps: None,
+        area_ratio: 2.309,
+        aspect_ratio: 1.125,
+        oversize: 2.000,
+        deformation: 31.1,
+        forward: Trigonometric, error [3.4e-16, 1.8e-7], instructions [220, 200];
+        inverse: Trigonometric, error [3.3e-16, 1.8e-7], instructions [84, 58];
+        tiles: smooth(0.97, 1.02),
+    }
+}
+
+tangent! { EquiEdge, 0.615_479_708_670_387_3 }

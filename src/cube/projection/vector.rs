@@ -1,0 +1,25 @@
+//! What several projections share.
+
+use crate::Real;
+use crate::math::{max, min};
+
+/// Coordinates that rounding has not led off the face.
+#[inline(always)]
+pub(crate) fn on_face<T: Real>(coordinates: [T; 2]) -> [T; 2] {
+    coordinates.map(|v| max(min(v, T::ONE), -T::ONE))
+}
+
+/// The unit vector of gnomonic coordinates (u, v): one square root, one division.
+#[inline(always)]
+pub(super) fn from_gnomonic<T: Real>([u, v]: [T; 2]) -> [T; 3] {
+    normalise([u, v, T::ONE])
+}
+
+/// The unit vector of a vector near unit length.
+///
+/// On a cube's edge two components agree; the order of the sum keeps the result the same from both faces.
+#[inline(always)]
+pub(super) fn normalise<T: Real>([x, y, z]: [T; 3]) -> [T; 3] {
+    let length = (x * x + y * y + z * z).sqrt();
+    [x / length, y / length, z / length]
+}
