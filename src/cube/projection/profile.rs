@@ -152,7 +152,7 @@ macro_rules! projection {
         /// ```
         #[doc = concat!("use terrella::cube::{CubeProjection, ", stringify!($variant), "};")]
         /// use terrella::Direction;
-        /// let direction = Direction::new(0.3, 0.9, -0.2)?;
+        /// let direction = Direction::new(0.3_f64, 0.9, -0.2)?;
         #[doc = concat!("let point = ", stringify!($variant), ".project(direction);")]
         #[doc = concat!("let back = ", stringify!($variant), ".unproject(point);")]
         /// assert!((back.x() - direction.x()).abs() < 1e-3);
