@@ -56,9 +56,12 @@ def vector(*components):
     return [7, *(part for component in components for part in (Any(component), 0))]
 
 
-PROJECTIONS = re.findall(r'^    \w+::\w+ "([\w-]+)",', (ROOT / "src/cube/projection/mod.rs").read_text(), re.M)
-FILES = {"tsc": "tangential", "asc": "adjusted", "osc": "outerra", "csc": "cobe-exact", "qsc": "quadrilateralized",
-         "ksc": "cartesian", "s2q": "s2-quadratic"}
+# In the order of the list, each with the name that its own file gives.
+LIST = ROOT / "src/cube/projection"
+PROJECTIONS = [
+    re.search(rf'^    {kind} "([\w-]+)" \{{', (LIST / f"{module}.rs").read_text(), re.M)[1]
+    for module, kind in re.findall(r"^    (\w+)::(\w+),$", (LIST / "mod.rs").read_text(), re.M)
+]
 EARTH, SPHERE, LEAST, MOST = 0, 3, 4, 5
 
 
@@ -67,7 +70,7 @@ def main(directory):
     edges = Seeds(directory, "edges")
     for path in sorted((ROOT / "tests/truth").glob("cube_*_forward.tsv")):
         name = path.stem.split("_")[1]
-        projection = PROJECTIONS.index(FILES.get(name, name))
+        projection = PROJECTIONS.index(name)
         for row in rows(path.stem):
             # The paper's axes, in the order of the Earth's.
             direction = vector(row["vz"], row["vx"], row["vy"])

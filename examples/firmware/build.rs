@@ -4,6 +4,8 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
+use terrella::cube::Projection;
+
 /// How many rows are taken of a file, and how many more that are exact in `f32`.
 const ROWS: usize = 40;
 
@@ -34,17 +36,6 @@ const SLICES: &[Slice] = &[
     ("JACOBIAN", "cube_jacobian", &["face", "x", "y"], &["area"], "projection"),
 ];
 
-/// Each projection with its truth files, forward and inverse.
-#[rustfmt::skip]
-const PROJECTIONS: &[(&str, &str, &str)] = &[
-    ("Tangential", "tsc", "tsc"), ("Adjusted", "asc", "asc"), ("Outerra", "osc", "osc"),
-    ("Cobe", "csc", "cobe-published"), ("CobeExact", "csc", "csc"), ("Quadrilateralized", "qsc", "qsc"),
-    ("Cartesian", "ksc", "ksc"), ("Healpix", "healpix", "healpix"), ("S2Quadratic", "s2q", "s2q"),
-    ("EquiEdge", "equi-edge", "equi-edge"), ("Algebraic", "algebraic", "algebraic"), ("Vertex", "vertex", "vertex"),
-    ("Conformal", "conformal", "conformal"), ("Balanced", "balanced", "balanced"), ("Square", "square", "square"),
-    ("Separable", "separable", "separable"),
-];
-
 /// The paper's axes, in the order of the Earth's.
 const VECTOR: &[&str] = &["vz", "vx", "vy"];
 const POINT: &[&str] = &["face", "x", "y"];
@@ -60,10 +51,16 @@ fn main() {
         text += &table(&root, slice);
     }
     text += "pub static PROJECTIONS: &[(Projection, &[Row<3, 3>], &[Row<3, 3>])] = &[\n";
-    for (name, forward, inverse) in PROJECTIONS {
+    for &projection in Projection::ALL {
+        // The forward polynomials of the two are one.
+        let forward = if projection == Projection::Cobe {
+            Projection::CobeExact
+        } else {
+            projection
+        };
         let forward = rows(&root, &format!("cube_{forward}_forward"), VECTOR, POINT, "class");
-        let inverse = rows(&root, &format!("cube_{inverse}_inverse"), POINT, VECTOR, "class");
-        writeln!(text, "(Projection::{name}, &[{forward}], &[{inverse}]),").unwrap();
+        let inverse = rows(&root, &format!("cube_{projection}_inverse"), POINT, VECTOR, "class");
+        writeln!(text, "(Projection::{projection:?}, &[{forward}], &[{inverse}]),").unwrap();
     }
     text += "];\n";
     text += &claims(&root.join("README.md"));

@@ -62,13 +62,13 @@ function hold(name, errors, claimed) {
 
 const [forward, , inverse] = claims("quadrilateralized");
 const axes = ["vz", "vx", "vy"]; // the paper's axes, in the order of the Earth's
-const onFace = truth("cube_qsc_forward").flatMap((row) => {
+const onFace = truth("cube_quadrilateralized_forward").flatMap((row) => {
   const point = terrella.project(axes.map((axis) => Number(row[axis])));
   // On an edge the rounding of the input decides.
   return point.face === Number(row.face) ? [Math.max(error(point.x, row.x), error(point.y, row.y))] : [];
 });
 hold("quadrilateralized forward", onFace, forward);
-const directions = truth("cube_qsc_inverse").map((row) => {
+const directions = truth("cube_quadrilateralized_inverse").map((row) => {
   const vector = terrella.unproject({ face: Number(row.face), x: Number(row.x), y: Number(row.y) });
   return Math.hypot(...axes.map((axis, index) => error(vector[index], row[axis])));
 });

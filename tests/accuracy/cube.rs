@@ -9,23 +9,12 @@ use crate::truth::{Row, Scalar, Truth};
 
 /// The truth files of a projection, forward and inverse.
 fn files(projection: Projection) -> [String; 2] {
-    let name = match projection {
-        Projection::Tangential => "tsc",
-        Projection::Adjusted => "asc",
-        Projection::Outerra => "osc",
-        Projection::Cobe | Projection::CobeExact => "csc",
-        Projection::Quadrilateralized => "qsc",
-        Projection::Cartesian => "ksc",
-        Projection::Healpix => "healpix",
-        Projection::S2Quadratic => "s2q",
-        other => other.name(),
+    let forward = match projection {
+        // Their forward polynomials are one.
+        Projection::Cobe => Projection::CobeExact,
+        other => other,
     };
-    let inverse = if projection == Projection::Cobe {
-        "cobe-published"
-    } else {
-        name
-    };
-    [format!("cube_{name}_forward"), format!("cube_{inverse}_inverse")]
+    [format!("cube_{forward}_forward"), format!("cube_{projection}_inverse")]
 }
 
 /// The truth's columns, by the paper's axes, in the order of the Earth's.

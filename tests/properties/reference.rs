@@ -165,8 +165,8 @@ fn square([x, y]: Plane) -> Vector {
     ]
 }
 
-/// The direction of a point, in the face's frame (right, up, outward), of any length; none for the projections without a closed
-/// formula back.
+/// The direction of a point, in the face's frame (right, up, outward), of any length; none for a projection without a closed formula
+/// back, or that is newer than this file: it is judged in `f32` alone, next to `f64`, and by the truth.
 pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[Double; 3]> {
     let [x, y] = point.map(of);
     let quadratic = |x: Double| x * (of(2.0) + x.abs()) * third();
@@ -220,25 +220,12 @@ mod tests {
 
     #[test]
     fn the_reference_is_the_truth() {
-        let files = [
-            (Projection::Tangential, "tsc"),
-            (Projection::Adjusted, "asc"),
-            (Projection::Outerra, "osc"),
-            (Projection::Cobe, "cobe-published"),
-            (Projection::Quadrilateralized, "qsc"),
-            (Projection::Cartesian, "ksc"),
-            (Projection::Healpix, "healpix"),
-            (Projection::S2Quadratic, "s2q"),
-            (Projection::EquiEdge, "equi-edge"),
-            (Projection::Algebraic, "algebraic"),
-            (Projection::Vertex, "vertex"),
-            (Projection::Balanced, "balanced"),
-            (Projection::Square, "square"),
-            (Projection::Separable, "separable"),
-        ];
-        for (projection, file) in files {
+        for &projection in Projection::ALL {
+            if direction(projection, false, [0.0; 2]).is_none() {
+                continue;
+            }
             let mut worst = Worst::default();
-            for row in Truth::read(&format!("cube_{file}_inverse")).exact_in::<f64>(&["x", "y"]) {
+            for row in Truth::read(&format!("cube_{projection}_inverse")).exact_in::<f64>(&["x", "y"]) {
                 let face = Face::from_index(row.value("face") as u8).unwrap();
                 let local = direction(projection, face.is_polar(), [row.value("x"), row.value("y")]).unwrap();
                 let [high, low] = [0, 1].map(|part| face.to_earth(local.map(|component| component[part])));

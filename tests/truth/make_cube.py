@@ -293,7 +293,7 @@ MAPS = {
     "balanced": ("Balanced cube, b = -0.22, 0.09, -0.11 exactly; forward by Newton iteration", balanced),
     "square": ("Square cube, decimal coefficients taken exactly; forward by Newton iteration", square),
     "vertex": ("Vertex equal-area cube (slice and dice about the cube's corners)", vertex),
-    "cobe-published": ("COBE quadrilateralized Spherical Cube, published inverse polynomial, decimal coefficients taken exactly",
+    "cobe": ("COBE quadrilateralized Spherical Cube, published inverse polynomial, decimal coefficients taken exactly",
                        cobe_published),
     "conformal": ("Conformal cube (Rancic, Purser & Mesinger), series of 320 terms about the nearest corner; "
                   "inverse by Newton iteration", conformal),
@@ -554,7 +554,7 @@ def check_cobe(forward, inverse):
     assert mpf("2.5e-4") < worst < mpf("3.1e-4")
 
 
-CHECKS = {"vertex": check_vertex, "conformal": check_conformal, "cobe-published": check_cobe}
+CHECKS = {"vertex": check_vertex, "conformal": check_conformal, "cobe": check_cobe}
 
 
 def main():
@@ -563,9 +563,9 @@ def main():
         forward, inverse = make()
         if name in CHECKS:
             CHECKS[name](forward, inverse)
-        if name != "cobe-published":
+        if name != "cobe":
             make_forward(name, title, forward, inverse)
-        make_inverse(name, title, forward, inverse, exact_pair=name != "cobe-published")
+        make_inverse(name, title, forward, inverse, exact_pair=name != "cobe")
 
 
 if __name__ == "__main__":

@@ -91,7 +91,7 @@ MAPS = [
     ("tangential", 0, lambda x, y: (x, y, ONE)),
     ("adjusted", 0, cube.tangent_family(mp.pi / 4)[1]),
     ("outerra", 0, outerra),
-    ("cobe", 0, inverse_of("cobe-published")),
+    ("cobe", 0, inverse_of("cobe")),
     ("cobe-exact", 0, cobe_exact),
     ("quadrilateralized", 0, quadrilateralized),
     ("cartesian", 0, cartesian),

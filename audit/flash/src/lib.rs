@@ -66,24 +66,7 @@ macro_rules! projections {
 
 mod projections {
     use super::*;
-    projections! {
-        tangential_forward tangential_inverse tangential_both Tangential;
-        adjusted_forward adjusted_inverse adjusted_both Adjusted;
-        outerra_forward outerra_inverse outerra_both Outerra;
-        cobe_forward cobe_inverse cobe_both Cobe;
-        cobe_exact_forward cobe_exact_inverse cobe_exact_both CobeExact;
-        quadrilateralized_forward quadrilateralized_inverse quadrilateralized_both Quadrilateralized;
-        cartesian_forward cartesian_inverse cartesian_both Cartesian;
-        healpix_forward healpix_inverse healpix_both Healpix;
-        s2_quadratic_forward s2_quadratic_inverse s2_quadratic_both S2Quadratic;
-        equi_edge_forward equi_edge_inverse equi_edge_both EquiEdge;
-        algebraic_forward algebraic_inverse algebraic_both Algebraic;
-        vertex_forward vertex_inverse vertex_both Vertex;
-        conformal_forward conformal_inverse conformal_both Conformal;
-        balanced_forward balanced_inverse balanced_both Balanced;
-        square_forward square_inverse square_both Square;
-        separable_forward separable_inverse separable_both Separable;
-    }
+    include!(concat!(env!("OUT_DIR"), "/projections.rs"));
 }
 
 type Line<T> = Result<Inverse<T>, GeodesicError<T>>;
