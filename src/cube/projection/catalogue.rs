@@ -28,6 +28,7 @@ macro_rules! projections {
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+        #[non_exhaustive]
         pub enum Projection {
             $(
                 #[doc = concat!("[`", stringify!($variant), "`](struct@", stringify!($variant), ").")]
