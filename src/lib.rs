@@ -62,7 +62,6 @@ pub mod geodesic;
 pub mod healpix;
 mod interop;
 pub mod latitude;
-mod literal;
 pub mod math;
 mod name;
 mod position;

@@ -59,7 +59,7 @@ impl<T: Scalar> Canvas<T> {
         // Rows are counted from above.
         let grid = fits.then(|| {
             let place = |v: T, count: u32| (half + half * v) * T::whole(u64::from(count) * STEPS as u64) + half;
-            [place(x / w, self.width), place(-(y / w), self.height)].map(|v| i64::from(v.floor()))
+            [place(x / w, self.width), place(-(y / w), self.height)].map(|v| Into::<f64>::into(v).floor() as i64)
         });
         Corner { clip, paint, grid }
     }

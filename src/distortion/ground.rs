@@ -32,7 +32,7 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     pub fn new(map: CubeMap<T, P>) -> Self {
         Self {
             map,
-            lifted: map.shifted().lifted(),
+            lifted: map.shifted().map(Dual::constant),
         }
     }
 

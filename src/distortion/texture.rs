@@ -47,7 +47,7 @@ pub fn anisotropic<T: Real>(across: [T; 2], along: [T; 2], most: T) -> Anisotrop
     let (p, q) = (length(across), length(along));
     let longer = max(p, q);
     let ratio = min(longer / min(p, q), most);
-    let whole = ratio.round();
+    let whole = ratio.round_ties_even();
     let samples = whole + select(whole < ratio, T::ONE, T::ZERO);
     Anisotropic {
         samples,

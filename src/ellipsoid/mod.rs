@@ -8,7 +8,7 @@ use core::fmt;
 pub use named::{NAMED, UnknownEllipsoid};
 
 use crate::math::{atan, cbrt, inverse_gudermannian};
-use crate::{Direction, Dual, Real};
+use crate::{Direction, Real};
 
 /// An ellipsoid of revolution, given by its semi-major axis a in metres and its flattening f = (a − b)/a.
 ///
@@ -206,11 +206,11 @@ impl<T: Real> Ellipsoid<T> {
         self.authalic_radius_squared().sqrt()
     }
 
-    /// The same ellipsoid for a scalar with derivatives.
-    pub(crate) const fn lifted<const N: usize>(self) -> Ellipsoid<Dual<T, N>> {
+    /// The same ellipsoid for another scalar.
+    pub(crate) fn map<U: Real>(self, scalar: impl Fn(T) -> U) -> Ellipsoid<U> {
         Ellipsoid {
-            a: Dual::constant(self.a),
-            f: Dual::constant(self.f),
+            a: scalar(self.a),
+            f: scalar(self.f),
         }
     }
 

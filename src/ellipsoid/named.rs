@@ -4,8 +4,8 @@ use core::str::FromStr;
 
 use super::Ellipsoid;
 use crate::Real;
-use crate::literal::literal;
 use crate::name::unknown;
+use crate::real::literal;
 
 macro_rules! named {
     ($($(#[$doc:meta])* $constant:ident $name:literal $a:expr, $f:expr;)*) => {

@@ -1,6 +1,6 @@
 use super::{Shift, UnsupportedFlattening};
 use crate::math::{Polynomial, atan2, latitude as series, sin_cos_small};
-use crate::{Dual, Ellipsoid, Real};
+use crate::{Ellipsoid, Real};
 
 /// The small angle between two latitudes, as a function of the first.
 ///
@@ -216,14 +216,14 @@ impl<T: Real> Correction<T> {
         }
     }
 
-    /// The same function for a scalar with derivatives.
-    pub fn lifted<const N: usize>(&self) -> Correction<Dual<T, N>> {
+    /// The same function for another scalar.
+    pub fn map<U: Real>(&self, scalar: impl Fn(T) -> U) -> Correction<U> {
         match *self {
             Self::None => Correction::None,
-            Self::Tangent(Tangent(m)) => Correction::Tangent(Tangent(Dual::constant(m))),
-            Self::Near(Tangent(m)) => Correction::Near(Tangent(Dual::constant(m))),
-            Self::Short(Series(coefficients)) => Correction::Short(Series(coefficients.map(Dual::constant))),
-            Self::Long(Series(coefficients)) => Correction::Long(Series(coefficients.map(Dual::constant))),
+            Self::Tangent(Tangent(m)) => Correction::Tangent(Tangent(scalar(m))),
+            Self::Near(Tangent(m)) => Correction::Near(Tangent(scalar(m))),
+            Self::Short(Series(coefficients)) => Correction::Short(Series(coefficients.map(scalar))),
+            Self::Long(Series(coefficients)) => Correction::Long(Series(coefficients.map(scalar))),
         }
     }
 }

@@ -1,7 +1,7 @@
 use super::correction::{Correction, Turn, supported};
 use super::{Shift, UnsupportedFlattening};
 use crate::math::{atan2_degrees, max, sin_cos_degrees};
-use crate::{Direction, Dual, Ellipsoid, LatLon, Real};
+use crate::{Direction, Ellipsoid, LatLon, Real};
 
 /// An ellipsoid laid on the sphere: geodetic latitude and longitude to direction and back.
 ///
@@ -92,14 +92,14 @@ impl<T: Real> Shifted<T> {
         normal(&self.inverse, direction)
     }
 
-    /// The same step for a scalar with derivatives.
+    /// The same step for another scalar.
     #[must_use]
-    pub(crate) fn lifted<const N: usize>(&self) -> Shifted<Dual<T, N>> {
+    pub(crate) fn map<U: Real>(&self, scalar: impl Fn(T) -> U) -> Shifted<U> {
         Shifted {
-            ellipsoid: self.ellipsoid.lifted(),
+            ellipsoid: self.ellipsoid.map(&scalar),
             shift: self.shift,
-            forward: self.forward.lifted(),
-            inverse: self.inverse.lifted(),
+            forward: self.forward.map(&scalar),
+            inverse: self.inverse.map(&scalar),
         }
     }
 }

@@ -1,6 +1,6 @@
 use core::ops::{Add, Mul};
 
-use super::{Polynomial, repeat};
+use super::Polynomial;
 use crate::Real;
 
 /// A complex number, as far as the conformal map needs one.
@@ -38,31 +38,6 @@ impl<T: Real> Complex<T> {
         let [re, im] = T::complex_polynomial([self.re, self.im], coefficients);
         Self { re, im }
     }
-}
-
-/// A polynomial of x + iy with `terms` real coefficients, at most 42: real and imaginary part. What is past the last coefficient is 0.
-///
-/// Divided by the quadratic that a number and its conjugate are the roots of: two products a coefficient (Knuth, The Art of Computer
-/// Programming 2, 4.6.4, eq. 3). Even and odd powers apart, as polynomials of the square: two chains at a time.
-#[inline(always)]
-pub(crate) fn complex_polynomial<T: Real>([x, y]: [T; 2], terms: usize, coefficient: impl Fn(usize) -> T) -> [T; 2] {
-    let number = Complex { re: x, im: y };
-    let square = number * number;
-    let (twice, norm) = (square.re + square.re, square.norm());
-    let (mut even, mut odd) = ((T::ZERO, T::ZERO), (T::ZERO, T::ZERO));
-    let mut i = terms.div_ceil(2);
-    repeat!(i.div_ceil(5), {
-        repeat!((i - 1).min(5), {
-            i -= 1;
-            let next = |(a, b): (T, T), i| (coefficient(i) + (twice * a - norm * b), a);
-            (even, odd) = (next(even, 2 * i), next(odd, 2 * i + 1));
-        });
-    });
-    let last = |(a, b): (T, T), i| Complex {
-        re: coefficient(i) + (square.re * a - norm * b),
-        im: square.im * a,
-    };
-    (last(even, 0) + number * last(odd, 1)).parts()
 }
 
 impl<T: Real> Add for Complex<T> {

@@ -19,7 +19,7 @@ pub fn exp_m1<T: Real>(x: T) -> T {
     let half = T::of(0.5);
     // Further down there is nothing but −1, and 2ⁿ would be out of range.
     let bounded = max(T::pick(-708.0, -86.0), x);
-    let n = (bounded * T::of(core::f64::consts::LOG2_E)).round();
+    let n = (bounded * T::of(core::f64::consts::LOG2_E)).round_ties_even();
     let (head, tail) = ln_2::<T>();
     let near = bounded - n * head;
     let less = n * tail;

@@ -20,6 +20,7 @@ mod complex;
 pub(crate) mod conformal;
 mod double_word;
 mod exp_m1;
+mod extremes;
 pub(crate) mod geodesic;
 mod gudermannian;
 mod hypot;
@@ -28,51 +29,31 @@ pub(crate) mod latitude;
 mod log2;
 mod minimax;
 mod polynomial;
-mod remainder;
 mod rest;
 mod sin_cos;
-#[cfg(not(feature = "std"))]
-mod sqrt;
 mod tan;
 
 pub(crate) use atan::octant;
 pub use atan::{atan, atan2, atan2_degrees};
 pub use cbrt::cbrt;
-pub(crate) use complex::{Complex, complex_polynomial};
+pub(crate) use complex::Complex;
 pub(crate) use double_word::DoubleWord;
 pub use exp_m1::exp_m1;
+pub use extremes::{max, min};
 pub(crate) use gudermannian::{gudermannian, inverse_gudermannian};
 pub(crate) use hypot::hypot;
 pub(crate) use interleave::{gathered, spread};
 pub use log2::log2;
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_S, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
-pub use polynomial::Polynomial;
 pub(crate) use polynomial::{halves, odd_unit};
-pub(crate) use remainder::remainder;
 pub(crate) use rest::{hypotenuse, product, product_of_any, sum};
 pub use sin_cos::{sin_cos, sin_cos_degrees};
 pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_eighth, sin_cos_quarter, sin_cos_small};
-#[cfg(not(feature = "std"))]
-pub(crate) use sqrt::sqrt_f32;
 pub use tan::tan;
 
 use crate::Real;
-
-/// A block as often as a count says, up to eight times, without a loop: what is inside a loop over points must have none of its own.
-macro_rules! repeat {
-    ($count:expr, $body:block) => {{
-        let count = $count;
-        if count > 0 $body
-        if count > 1 $body
-        if count > 2 $body
-        if count > 3 $body
-        if count > 4 $body
-        if count > 5 $body
-        if count > 6 $body
-        if count > 7 $body
-    }};
-}
-pub(crate) use repeat;
+pub use crate::real::Polynomial;
+pub(crate) use crate::real::repeat;
 
 /// One of two values by a condition: a select, not a branch, once compiled.
 #[inline(always)]
@@ -111,16 +92,4 @@ pub(crate) fn mirrored<T: Real>(condition: bool, whole: T, x: T) -> T {
         return select(condition, whole - x, x) + T::ZERO;
     }
     either(condition, whole) + negated(condition, x)
-}
-
-/// The smaller of two numbers.
-#[inline(always)]
-pub(crate) fn min<T: Real>(a: T, b: T) -> T {
-    select(a < b, a, b)
-}
-
-/// The larger of two numbers.
-#[inline(always)]
-pub(crate) fn max<T: Real>(a: T, b: T) -> T {
-    select(a > b, a, b)
 }

@@ -1,41 +1,5 @@
+use super::Polynomial;
 use crate::Real;
-
-/// Coefficients of a polynomial, lowest power first: `N` of them for `f64`, `M` for `f32`.
-///
-/// Evaluate it with [`Real::polynomial`].
-///
-/// ```
-/// use terrella::{Real, math::Polynomial};
-/// // eˣ − 1 − x, as far as each precision sees it near 0.01
-/// let p = Polynomial { f64: [0.0, 0.0, 0.5, 1.0 / 6.0, 1.0 / 24.0], f32: [0.0, 0.0, 0.5] };
-/// assert!((0.01_f64.polynomial(&p) - (0.01_f64.exp_m1() - 0.01)).abs() < 1e-12);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Polynomial<const N: usize, const M: usize> {
-    /// For `f64`.
-    pub f64: [f64; N],
-    /// For `f32`.
-    pub f32: [f32; M],
-}
-
-impl<const N: usize> Polynomial<N, N> {
-    /// The same coefficients for both precisions, rounded to `f32` for that one.
-    #[must_use]
-    pub const fn rounded(coefficients: [f64; N]) -> Self {
-        let mut rounded = [0.0; N];
-        let mut i = 0;
-        #[allow(clippy::indexing_slicing)] // a constant function has no iterators; i < N
-        while i < N {
-            rounded[i] = coefficients[i] as f32;
-            i += 1;
-        }
-        Self {
-            f64: coefficients,
-            f32: rounded,
-        }
-    }
-}
 
 /// c₀ + c₁x + … of at least two terms, even and odd powers apart: half as long a chain as Horner's rule.
 #[inline(always)]

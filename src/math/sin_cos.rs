@@ -15,7 +15,7 @@ use crate::Real;
 #[must_use]
 #[cfg_attr(not(small), inline(always))]
 pub fn sin_cos<T: Real>(x: T) -> (T, T) {
-    let q = (x * T::of(core::f64::consts::FRAC_2_PI)).round();
+    let q = (x * T::of(core::f64::consts::FRAC_2_PI)).round_ties_even();
     // π/2 in parts of 33, 33 and 53 bits (17, 17, 24): q times each of the first two is exact.
     let a = x - q * T::pick(1.570_796_326_734_125_6, 1.570_785_5);
     let b = q * T::pick(6.077_100_506_303_966e-11, 1.080_427_3e-5);
@@ -62,7 +62,7 @@ pub(crate) fn sin_cos_degrees_with_rest<T: Real>(x: T) -> [(T, T); 2] {
 /// The nearest multiple of 90°, and the rest in radians as a sum of two numbers.
 #[inline(always)]
 fn quarter_and_rest<T: Real>(x: T) -> (T, (T, T)) {
-    let q = (x * T::of(1.0 / 90.0)).round();
+    let q = (x * T::of(1.0 / 90.0)).round_ties_even();
     let rest = select(x.abs() <= T::pick(1e9, 1e6), x - q * T::of(90.0), T::of(f64::NAN));
     (q, radians(rest))
 }

@@ -19,7 +19,7 @@ impl<T: Real, P: CubeProjection> Footprint<T, P> {
         let (rows, half) = camera.rows();
         Self {
             projection: map.projection(),
-            lifted: map.shifted().lifted(),
+            lifted: map.shifted().map(Dual::constant),
             eye: camera.eye().to_array().map(Dual::constant),
             rows,
             half,

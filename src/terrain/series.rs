@@ -141,7 +141,7 @@ impl<P: CubeProjection> Patches<P> {
     /// The middle of a tile at a height, and the coefficients of its series.
     fn expansion(&self, tile: Tile, height: f64) -> ([f64; 3], [[f64; 3]; 5]) {
         let middle = tile.centre::<f64>();
-        let shifted = self.map().shifted().lifted::<2>().lifted::<2>();
+        let shifted = self.map().shifted().map(Second::from_plain);
         let point: [Second; 2] = Dual::variables(Dual::variables([middle.x(), middle.y()]));
         let [x, y, z] = tile
             .face()

@@ -63,7 +63,7 @@ impl<T: Scalar, V: Visitor> ProjectionTask for One<'_, T, V> {
             |point| {
                 let ((sin, cos), lon) = CubeProjection::unproject_place(
                     &projection,
-                    [T::from_byte(point.face().index()), point.x(), point.y()],
+                    [T::whole(point.face().index().into()), point.x(), point.y()],
                 );
                 [sin, cos, lon]
             },

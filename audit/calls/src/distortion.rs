@@ -50,7 +50,7 @@ fn grounds<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
         (Ground::tissot(&ground, point), Ground::unit(&ground))
     });
     visitor.visit::<T, _, _>(name("Ground::differences"), Arguments::face_point::<T>, |point| {
-        let step = T::pick(1e-6, 1e-3);
+        let step = T::of(if T::DIGITS > 24 { 1e-6 } else { 1e-3 });
         let slopes = Ground::differences(&ground, point.face(), [point.x(), point.y()], step);
         let earth = CubeMap::shifted(&Ground::map(&ground)).ellipsoid();
         (

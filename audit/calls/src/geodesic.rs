@@ -173,7 +173,9 @@ fn karney<T: Scalar, V: Visitor>(visitor: &mut V) {
         flat,
         |(ellipsoid, [from, to])| {
             Karney::new(ellipsoid).map(|karney| {
-                let azimuth = Real::round(to.lon());
+                // To an integer, ties to even.
+                let shift = T::of(1.5) / T::EPSILON;
+                let azimuth = (to.lon() + shift) - shift;
                 let line = Karney::line(&karney, from, azimuth).and_then(|line| Line::at(&line, to.lon() * T::of(1e5)));
                 (Karney::solve(&karney, from, to), line)
             })

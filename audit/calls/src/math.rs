@@ -24,6 +24,8 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("math::cbrt", unit, |x| math::cbrt(x));
     visitor.function::<T, _, _>("math::exp_m1", unit, |x| math::exp_m1(x));
     visitor.function::<T, _, _>("math::log2", unit, |x| math::log2(x));
+    visitor.function::<T, _, _>("math::min and max", two, |[x, y]| [math::min(x, y), math::max(x, y)]);
+    visitor.function::<T, _, _>("Polynomial::at", unit, |x| Polynomial::at(&COSINE, x));
     scalar::<T, V>(visitor);
     dual::<T, V>(visitor);
 }
@@ -32,45 +34,16 @@ fn scalar<T: Scalar, V: Visitor>(visitor: &mut V) {
     let unit = Arguments::unit::<T>;
     let two = Arguments::units::<T, 2>;
     visitor.function::<T, _, _>("Real::sqrt", unit, |x| Real::sqrt(Real::abs(x)));
-    visitor.function::<T, _, _>("Real::remainder", two, |[x, y]| Real::remainder(x * T::of(1e5), y));
-    visitor.function::<T, _, _>("Real::round", unit, |x| Real::round(x * T::of(1e6)));
-    visitor.function::<T, _, _>("Real::quarters", two, |[x, y]| {
-        Real::quarters(Real::round(x * T::of(1e3)), (x, y))
-    });
-    visitor.function::<T, _, _>("Real::split", unit, |x| Real::split(x));
     visitor.function::<T, _, _>("Real, signs", two, |[x, y]| {
-        let signs = [
-            Real::copysign(x, y),
-            Real::signed_like(x, y),
-            Real::vanish(x),
-            Real::abs(x),
-        ];
-        (signs, Real::is_finite(x / y))
+        ([Real::copysign(x, y), Real::abs(x)], Real::is_finite(x / y))
     });
-    visitor.function::<T, _, _>("Real::polynomial", two, |[x, y]| {
-        (Real::polynomial(x, &COSINE), T::complex_polynomial([x, y], &COSINE))
-    });
-    visitor.function::<T, _, _>("Real::floor", unit, |x| {
-        let bytes = u32::from(Real::to_byte(T::from_byte(200)));
-        (Real::floor(x * T::of(1e3)).cast_unsigned(), bytes)
-    });
-    visitor.function::<T, _, _>("Real, by precision", unit, |x| {
-        let counts = [T::terms(7, 3), T::steps(7, 3)];
-        let numbers = [
+    visitor.function::<T, _, _>("Real, conversions", unit, |x| {
+        [
             Real::plain(x),
             Real::from_plain(x),
-            T::pick(1e-200, 1e-20),
-            T::whole(16_777_217),
-        ];
-        let rest = [
             T::of(0.1),
-            T::coefficient(&COSINE, 3),
-            Real::cbrt_guess(Real::abs(x)),
-            Real::exponent(Real::abs(x)),
-            T::power_of_two(Real::round(x)),
-            T::from_byte(200),
-        ];
-        (counts, numbers, rest, T::all(&THIRDS))
+            T::whole(16_777_217),
+        ]
     });
 }
 
@@ -95,34 +68,16 @@ fn dual<T: Scalar, V: Visitor>(visitor: &mut V) {
             math::atan(x),
         ];
         let rests = [
-            Real::remainder(x, y),
-            Real::round(x),
+            x % y,
+            Polynomial::at(&THIRDS, x),
             Real::copysign(x, y),
-            Real::signed_like(x, y),
+            math::max(x, y),
         ];
         (roots, angles, rests, math::sin_cos(x), math::sin_cos_degrees(x))
     });
     visitor.visit::<T, _, _>(Function::of("Dual", "the scalar's constants"), two, |[x, y]| {
         let [x, y] = Dual::variables([x, y]);
-        let numbers: [Dual<T, 2>; 4] = [
-            Dual::of(0.1),
-            Dual::pick(1.0, 2.0),
-            Dual::whole(3),
-            Dual::from_plain(Real::plain(x)),
-        ];
-        let polynomials = (Real::polynomial(x, &COSINE), Dual::complex_polynomial([x, y], &COSINE));
-        let rest = (
-            Real::split(x),
-            Real::vanish(y),
-            Real::cbrt_guess(Real::abs(x)),
-            Real::is_finite(x),
-        );
-        (
-            numbers,
-            polynomials,
-            rest,
-            Dual::<T, 2>::all(&THIRDS),
-            Dual::<T, 2>::steps(3, 2),
-        )
+        let numbers: [Dual<T, 2>; 3] = [Dual::of(0.1), Dual::whole(3), Dual::from_plain(Real::plain(x))];
+        (numbers, Polynomial::at(&COSINE, x * y), Real::is_finite(x))
     });
 }

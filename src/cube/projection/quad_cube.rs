@@ -1,6 +1,7 @@
 use super::{CubeProjection, Face, from_gnomonic};
 use crate::Real;
 use crate::math::{Polynomial, repeat};
+use crate::real::Kernel;
 
 /// The family of polynomial quadrilateralized cubes that COBE's belongs to, with the coefficients as data.
 ///

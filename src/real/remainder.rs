@@ -1,4 +1,4 @@
-use crate::Real;
+use super::Real;
 
 /// The remainder of a division with the sign of the dividend, exact; NaN of an infinite dividend or by zero.
 ///
