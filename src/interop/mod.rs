@@ -2,5 +2,7 @@
 
 #[cfg(feature = "glam")]
 mod glam;
+#[cfg(feature = "num-traits")]
+mod num_traits;
 #[cfg(feature = "serde")]
 mod serde;
