@@ -25,7 +25,7 @@
 //! | [`terrain`] | tiles of the faces: addresses, neighbours, keys, bounds, which of them a picture needs, and vertices in single precision |
 //! | [`scene`] | the cheapest model that keeps a tolerance, with a bound |
 //! | [`batch`] | the same functions over slices, as wide as the machine is |
-//! | [`math`] | the kernels under all of it |
+//! | [`math`] | elementary functions of the scalar |
 //! | [`Real`], [`Dual`] | the scalar, and the scalar that carries derivatives |
 //!
 //! ```
@@ -40,8 +40,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Features: `std` (default) takes the hardware's square root and its widest instructions, with the same results; `glam`, `defmt` and `serde` add conversions and derived
-//! implementations. The README has the table of worst errors.
+//! Features: `std` (default) takes the hardware's square root and its widest instructions, with the same results; `glam`, `defmt`, `serde` and `num-traits` add
+//! conversions and implementations of traits. The README has the table of worst errors.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

@@ -1,4 +1,4 @@
-//! The optional conversions: serde, glam, defmt; each test needs its feature.
+//! The optional conversions: serde, glam, num-traits, defmt; each test needs its feature.
 #![allow(
     missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // a test may fail loudly
@@ -116,6 +116,10 @@ mod serde {
         });
     }
 }
+
+#[cfg(feature = "num-traits")]
+#[path = "interop/num_traits.rs"]
+mod num_traits;
 
 #[cfg(feature = "glam")]
 mod glam {

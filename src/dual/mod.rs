@@ -8,15 +8,15 @@ use crate::Real;
 mod kernel;
 mod operators;
 
-/// A number with its derivatives by `N` variables: every function of this crate, run on it, is differentiated.
+/// A number together with its derivatives by `N` variables. It is a scalar: a function of this crate that is
+/// called with it returns its derivatives with its result (forward automatic differentiation).
 ///
-/// The derivatives are exact but for rounding: no step size, no formula beside the function's own. Where the function is creased, as
-/// the quadrilateralized cube is on its diagonals, they are those of one side. Numbers compare by value alone.
-///
-/// A dual of a dual has second derivatives.
+/// A derivative has the function's rounding errors and no other: there is no step size. Where a function has
+/// a crease, as the quadrilateralized cube has on the diagonals of a face, the derivative is that of one
+/// side. Comparisons compare the values alone. A `Dual` of a `Dual` has second derivatives.
 ///
 /// ```
-/// use terrella::{Dual, Real, math::atan2};
+/// use terrella::{Dual, math::atan2};
 ///
 /// let [y, x] = Dual::variables([3.0_f64, 4.0]);
 /// let angle = atan2(y, x);
@@ -25,6 +25,29 @@ mod operators;
 /// assert!((by_y - 4.0 / 25.0).abs() < 1e-16);
 /// assert!((by_x + 3.0 / 25.0).abs() < 1e-16);
 /// ```
+///
+/// With the feature `num-traits` it is a `num_traits::Float`, `FloatConst` and `NumAssign` if `T` is, as
+/// `f32` and `f64` are. So code that is generic over these traits is differentiated too:
+///
+#[cfg_attr(feature = "num-traits", doc = "```")]
+#[cfg_attr(not(feature = "num-traits"), doc = "```ignore")]
+/// use num_traits::Float;
+/// use terrella::Dual;
+///
+/// fn logistic<F: Float>(x: F) -> F {
+///     ((-x).exp() + F::one()).recip()
+/// }
+/// let [x] = Dual::variables([0.0_f64]);
+/// assert_eq!(logistic(x).slopes(), [0.25]);
+/// ```
+///
+/// The value is the one that the function of `T` returns: with num-traits' feature `std` that of the platform's
+/// mathematical library. A derivative is NaN where the function has no value, and 0 by a variable that the argument
+/// does not depend on. Steps (`floor`, `round`, `signum`) have derivative 0. `max` and `min` return the chosen number
+/// with its derivatives.
+#[doc(alias = "autodiff")]
+#[doc(alias = "derivative")]
+#[doc(alias = "gradient")]
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Dual<T, const N: usize> {
@@ -33,7 +56,7 @@ pub struct Dual<T, const N: usize> {
 }
 
 impl<T: Real, const N: usize> Dual<T, N> {
-    /// A number that depends on no variable.
+    /// Makes a number that depends on no variable: all derivatives are 0.
     #[must_use]
     #[inline(always)]
     pub const fn constant(value: T) -> Self {
@@ -43,7 +66,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
         }
     }
 
-    /// The variables themselves, at the given values.
+    /// Makes the `N` variables, with the given values: the derivative of each by itself is 1.
     #[must_use]
     #[inline(always)]
     pub fn variables(values: [T; N]) -> [Self; N] {
@@ -58,21 +81,21 @@ impl<T: Real, const N: usize> Dual<T, N> {
         })
     }
 
-    /// A number with a value and derivatives.
+    /// Makes a number from its value and its derivatives by each of the variables.
     #[must_use]
     #[inline(always)]
     pub const fn new(value: T, slopes: [T; N]) -> Self {
         Self { value, slopes }
     }
 
-    /// The value.
+    /// Returns the value.
     #[must_use]
     #[inline(always)]
     pub const fn value(self) -> T {
         self.value
     }
 
-    /// The derivatives, by each of the variables.
+    /// Returns the derivatives by each of the variables.
     #[must_use]
     #[inline(always)]
     pub const fn slopes(self) -> [T; N] {
@@ -132,7 +155,7 @@ impl<T: Real, const N: usize> PartialOrd for Dual<T, N> {
     }
 }
 
-/// The value; what its derivatives are is lost.
+/// Returns the value without its derivatives.
 impl<T: Real, const N: usize> From<Dual<T, N>> for f64 {
     #[inline(always)]
     fn from(number: Dual<T, N>) -> Self {

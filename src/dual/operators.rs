@@ -85,7 +85,13 @@ macro_rules! assign {
     )*};
 }
 
-assign! { AddAssign add_assign + SubAssign sub_assign - MulAssign mul_assign * DivAssign div_assign / RemAssign rem_assign % }
+assign! {
+    AddAssign add_assign +
+    SubAssign sub_assign -
+    MulAssign mul_assign *
+    DivAssign div_assign /
+    RemAssign rem_assign %
+}
 
 impl<T: Real, const N: usize> Sum for Dual<T, N> {
     #[inline]

@@ -2,9 +2,9 @@ use super::minimax::ATAN;
 use super::{either, halves, max, min, mirrored, negated, select};
 use crate::Real;
 
-/// Arc tangent of a finite number in radians, in [−π/2, π/2].
+/// Returns the arc tangent of `x` in radians, in [−π/2, π/2].
 ///
-/// Within 0.85 ulp.
+/// The error is below 0.85 ulp for finite `x`. The arc tangent of an infinity is NaN.
 ///
 /// ```
 /// assert_eq!(terrella::math::atan(1.0_f64), core::f64::consts::FRAC_PI_4);
@@ -15,10 +15,10 @@ pub fn atan<T: Real>(x: T) -> T {
     radians(x, T::ONE)
 }
 
-/// The angle of the point (x, y) from the x axis, in radians, in [−π, π].
+/// Returns the angle from the x axis to the point (x, y) in radians, in [−π, π].
 ///
-/// Within 0.85 ulp, for finite numbers of any size. The signs of zero count as in C's `atan2`, and (0, 0)
-/// gives 0 or π. Of an infinite number or a NaN, NaN.
+/// The error is below 0.85 ulp for finite coordinates of any size. Signs of zero count as for `f64::atan2`:
+/// the angle of (0, 0) is 0, of (−0, 0) it is π. The result is NaN if a coordinate is infinite or NaN.
 ///
 /// ```
 /// assert_eq!(terrella::math::atan2(1.0_f64, -1.0), 0.75 * core::f64::consts::PI);
@@ -29,9 +29,10 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
     radians(y, x)
 }
 
-/// The angle of the point (x, y) from the x axis, in degrees, in [−180, 180].
+/// Returns the angle from the x axis to the point (x, y) in degrees, in [−180, 180].
 ///
-/// Within 0.85 ulp, exact on the axes and the diagonals; signs of zero, infinity and NaN as for [`atan2`].
+/// The error is below 0.85 ulp; angles on the axes and the diagonals are exact. Signs of zero, infinities and
+/// NaN have the same effect as for [`atan2`].
 ///
 /// ```
 /// assert_eq!(terrella::math::atan2_degrees(-1.0_f32, 1.0), -45.0);
@@ -54,9 +55,11 @@ pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
     reduced.opened((high, small), (T::of(90.0), T::ZERO)).copysign(y)
 }
 
-/// The angle of the point (x, y), y ≥ 0, from the x axis: a multiple of 45° and the rest in radians, within π/8 and 1.5 ulp.
+/// The angle from the x axis to the point (x, y), y ≥ 0: a multiple of 45° as a count, and the rest in
+/// radians, at most π/8 and within 1.5 ulp.
 ///
-/// Half the arithmetic of [`atan2`], for numbers whose squares are normal; (0, 0) gives 0.
+/// It takes half the arithmetic of [`atan2`]. Squares of the coordinates must be normal numbers; (0, 0) gives
+/// 0.
 #[cfg_attr(not(small), inline(always))]
 pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
     let width = x.abs();
@@ -90,14 +93,15 @@ fn radians<T: Real>(y: T, x: T) -> T {
         .copysign(y)
 }
 
-/// An angle between an axis and a diagonal as a base angle, whose tangent is 0, ½ or 1, and a remainder whose tangent is at most
-/// 7/16 in size: fdlibm's reduction, with one division for all.
+/// An angle between an axis and a diagonal, as the sum of a base angle, whose tangent is 0, ½ or 1, and a
+/// remainder, whose tangent is at most 7/16 in size: fdlibm's reduction, with one division for all.
 struct Reduced<T> {
     /// Whether the angle is from the y axis.
     steep: bool,
     /// 1 or −1, the sign of x.
     side: T,
-    /// 1 if the base angle is at least the second, the third, else 0: a factor of 0 or 1 chooses without a branch on any machine.
+    /// 1 or 0: whether the base angle is at least the second, and the third. A factor of 0 or 1 chooses
+    /// without a branch on any machine.
     beyond: [T; 2],
     tangent: T,
     /// What to add to the tangent.
@@ -143,7 +147,8 @@ impl<T: Real> Reduced<T> {
         }
     }
 
-    /// 0, or one of two numbers, which are within a factor of two of each other or the second 0, by the base angle.
+    /// 0 or one of two numbers, by the base angle. The numbers are within a factor of two of each other, or
+    /// the second is 0.
     #[inline(always)]
     fn base(&self, second: T, third: T) -> T {
         self.beyond[0] * second + self.beyond[1] * (third - second)

@@ -1,9 +1,10 @@
 use super::{repeat, select};
 use crate::Real;
 
-/// Cube root.
+/// Returns the cube root of `x`.
 ///
-/// Within 1 ulp for every finite x but subnormal ones; infinities and NaN come back as they are. Halley's iteration from a guess that divides the exponent by three; a fixed number of steps.
+/// The error is below 1 ulp for normal numbers. Zeros, infinities and NaN are returned as they are. Subnormal
+/// numbers have no bound.
 ///
 /// ```
 /// assert_eq!(terrella::math::cbrt(27.0_f64), 3.0);
@@ -11,6 +12,7 @@ use crate::Real;
 #[must_use]
 #[cfg_attr(not(small), inline(always))]
 pub fn cbrt<T: Real>(x: T) -> T {
+    // Halley's iteration from a guess that divides the exponent by three.
     // An eighth of a number next to the largest, for thrice its cube would be none.
     let large = x.abs() > T::pick(1e300, 1e37);
     let magnitude = x.abs() * select(large, T::of(0.125), T::ONE);

@@ -2,11 +2,10 @@ use super::minimax::EXP;
 use super::{halves, max, select};
 use crate::Real;
 
-/// eˣ − 1, exact to the last digits however small x.
+/// Returns eˣ − 1, without the cancellation of `exp(x) - 1` for a small `x`.
 ///
-/// Within 0.75 ulp, for subnormal numbers too; −1 of −∞, ∞ where the result is out of range. A zero keeps its sign.
-///
-/// eˣ = 2ⁿeʳ, |r| ≤ ½ ln 2; a polynomial of `minimax.py`.
+/// The error is below 0.75 ulp for every `x`, subnormal numbers included. The result for −∞ is −1; it is ∞
+/// where eˣ is larger than the largest number. A zero keeps its sign.
 ///
 /// ```
 /// use terrella::math::exp_m1;
@@ -16,6 +15,7 @@ use crate::Real;
 #[must_use]
 #[inline(always)]
 pub fn exp_m1<T: Real>(x: T) -> T {
+    // eˣ = 2ⁿeʳ, |r| ≤ ½ ln 2; the polynomial is of `minimax.py`.
     let half = T::of(0.5);
     // Further down there is nothing but −1, and 2ⁿ would be out of range.
     let bounded = max(T::pick(-708.0, -86.0), x);

@@ -1,9 +1,9 @@
 use super::select;
 use crate::Real;
 
-/// The smaller of two numbers: `a` if `a < b`, else `b`.
+/// Returns the smaller of two numbers: `a` if `a < b`, otherwise `b`.
 ///
-/// So the result is `b` if one of them is NaN, where `f64::min` returns the one that is not. It is `b` of two zeros.
+/// If one of them is NaN, the result is `b`. (`f64::min` returns the other one.) Of two zeros it is `b` too.
 ///
 /// ```
 /// use terrella::math::min;
@@ -17,9 +17,9 @@ pub fn min<T: Real>(a: T, b: T) -> T {
     select(a < b, a, b)
 }
 
-/// The larger of two numbers: `a` if `a > b`, else `b`.
+/// Returns the larger of two numbers: `a` if `a > b`, otherwise `b`.
 ///
-/// So the result is `b` if one of them is NaN, where `f64::max` returns the one that is not. It is `b` of two zeros.
+/// If one of them is NaN, the result is `b`. (`f64::max` returns the other one.) Of two zeros it is `b` too.
 ///
 /// ```
 /// use terrella::math::max;

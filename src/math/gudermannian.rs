@@ -12,7 +12,7 @@ pub(crate) fn gudermannian<T: Real>(psi: T) -> T {
     atan2(less * (T::ONE + q), q + q).copysign(psi)
 }
 
-/// Its inverse from sine and cosine, ln((1 + sin χ)/cos χ) = atanh sin χ; ∞ where there is no positive cosine.
+/// Its inverse from sine and cosine, ln((1 + sin χ)/cos χ) = atanh sin χ; ∞ where the cosine is not positive.
 ///
 /// With (1 + sin χ)/(2ᵏ cos χ) = r, √½ ≤ r ≤ √2, it is k ln 2 + 2 atanh((r − 1)/(r + 1)).
 #[inline(always)]

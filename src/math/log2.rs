@@ -2,9 +2,10 @@ use super::minimax::ATANH;
 use super::select;
 use crate::Real;
 
-/// The logarithm to base 2.
+/// Returns the logarithm of `x` to base 2.
 ///
-/// Within 0.85 ulp, for subnormal numbers too, and exact for powers of two; −∞ of 0, ∞ of ∞, NaN below 0.
+/// The error is below 0.85 ulp for every `x`, subnormal numbers included; powers of two are exact. The
+/// logarithm of 0 is −∞, of ∞ it is ∞. It is NaN below 0.
 ///
 /// ```
 /// assert_eq!(terrella::math::log2(0.125_f32), -3.0);

@@ -12,8 +12,8 @@ pub(crate) fn halves<T: Real>(x: T, terms: usize, c: impl Fn(usize) -> T) -> T {
     other + x * one
 }
 
-/// An odd function f with f(1) = 1, from the polynomial p in f(x) = x − x(1 − x²)p(x²): exact at −1, 0 and 1 whatever the
-/// coefficients' rounding, so that a face's edge stays its edge.
+/// An odd function f with f(1) = 1, from the polynomial p in f(x) = x − x(1 − x²)p(x²): exact at −1, 0 and 1
+/// whatever the coefficients' rounding, so that a face's edge stays its edge.
 #[inline(always)]
 pub(crate) fn odd_unit<T: Real, const N: usize, const M: usize>(x: T, p: &Polynomial<N, M>) -> T {
     let z = x * x;

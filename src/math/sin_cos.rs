@@ -2,11 +2,10 @@ use super::minimax::{COS, SIN};
 use super::{choose, halves, mirrored, select};
 use crate::Real;
 
-/// Sine and cosine of an angle in radians.
+/// Returns the sine and the cosine of an angle `x` in radians.
 ///
-/// Within 0.8 ulp for |x| ≤ 10⁵ (`f64`), 0.81 for |x| ≤ 100 (`f32`), next to the multiples of π/2 too; NaN beyond.
-///
-/// Reduction by three parts of π/2 (Cody and Waite), polynomials of `minimax.py`.
+/// The error is below 0.8 ulp for |x| ≤ 10⁵ (`f64`) and 0.81 ulp for |x| ≤ 100 (`f32`), next to the multiples
+/// of π/2 too. Both are NaN beyond.
 ///
 /// ```
 /// let (sin, cos) = terrella::math::sin_cos(core::f64::consts::FRAC_PI_2);
@@ -15,6 +14,7 @@ use crate::Real;
 #[must_use]
 #[cfg_attr(not(small), inline(always))]
 pub fn sin_cos<T: Real>(x: T) -> (T, T) {
+    // Reduction by three parts of π/2 (Cody and Waite), then the polynomials of `minimax.py`.
     let q = (x * T::of(core::f64::consts::FRAC_2_PI)).round_ties_even();
     // π/2 in parts of 33, 33 and 53 bits (17, 17, 24): q times each of the first two is exact.
     let a = x - q * T::pick(1.570_796_326_734_125_6, 1.570_785_5);
@@ -31,10 +31,11 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     q.quarters(result)
 }
 
-/// Sine and cosine of an angle in degrees.
+/// Returns the sine and the cosine of an angle `x` in degrees.
 ///
-/// Within 0.8 ulp for |x| ≤ 10⁹ (`f64`) or 10⁶ (`f32`), NaN beyond; 0, ±½ and ±1 are exact where they are the result, and a
-/// sine of 0 has the sign of x. Below 10⁻³⁰⁷ (10⁻³⁷), where products are subnormal, a sine is within 1.5 ulp.
+/// The error is below 0.8 ulp for |x| ≤ 10⁹ (`f64`) and |x| ≤ 10⁶ (`f32`). Both are NaN beyond. Results of 0,
+/// ±½ and ±1 are exact; a sine of 0 has the sign of `x`. For |x| below 10⁻³⁰⁷ (10⁻³⁷) the error of a sine is
+/// below 1.5 ulp.
 ///
 /// ```
 /// let (sin, cos) = terrella::math::sin_cos_degrees(-240.0_f32);
@@ -49,7 +50,8 @@ pub fn sin_cos_degrees<T: Real>(x: T) -> (T, T) {
     zero_of_sign(q.quarters(result), x)
 }
 
-/// Sine and cosine as [`sin_cos_degrees`] gives them but for a rounding, and what is to be added to each: together within 0.2 ulp.
+/// Sine and cosine of degrees, each as a sum of two numbers within 0.2 ulp. The first number is that of
+/// [`sin_cos_degrees`], except for its last rounding.
 #[cfg_attr(not(small), inline(always))]
 pub(crate) fn sin_cos_degrees_with_rest<T: Real>(x: T) -> [(T, T); 2] {
     let (q, (high, low)) = quarter_and_rest(x);
@@ -73,7 +75,8 @@ fn zero_of_sign<T: Real>((sin, cos): (T, T), x: T) -> (T, T) {
     (select(sin == T::ZERO, sin.signed_like(x), sin), cos + T::ZERO)
 }
 
-/// Degrees to radians, as a sum of two numbers: π/180 is split so that its head times the argument's head is exact.
+/// Degrees to radians, as a sum of two numbers: π/180 is split so that its head times the argument's head is
+/// exact.
 #[inline(always)]
 fn radians<T: Real>(degrees: T) -> (T, T) {
     let (head, tail) = degrees.split();
@@ -85,8 +88,8 @@ fn radians<T: Real>(degrees: T) -> (T, T) {
     (high, rest - (high - product))
 }
 
-/// Sine and cosine of `x + low`, |x| ≤ π/4, `low` below half an ulp of `x`, and what their last rounding lost; `lost` is what
-/// that of half of x² lost.
+/// Sine and cosine of `x + low`, |x| ≤ π/4, `low` below half an ulp of `x`, and what their last rounding
+/// lost; `lost` is what that of half of x² lost.
 #[inline(always)]
 fn reduced<T: Real>(x: T, low: T, lost: T) -> [(T, T); 2] {
     let z = x * x;

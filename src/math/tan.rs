@@ -1,9 +1,10 @@
 use super::minimax::TAN;
 use crate::Real;
 
-/// Tangent of an angle in radians, |x| ≤ π/4.
+/// Returns the tangent of an angle `x` in radians, |x| ≤ π/4.
 ///
-/// Within 1.2 ulp there; the polynomial means nothing beyond.
+/// The error is below 1.2 ulp in this domain. Beyond it the result is not the tangent: divide the results of
+/// [`sin_cos`](super::sin_cos) there.
 ///
 /// ```
 /// assert_eq!(terrella::math::tan(core::f32::consts::FRAC_PI_4), 1.0);

@@ -90,7 +90,8 @@ macro_rules! real {
                 let square = self * self;
                 let (groups, rest) = table.as_chunks::<3>();
                 let cube = square * self;
-                // Of the last terms there may be fewer than three: the other sums begin with the group before.
+                // Of the last terms there may be fewer than three: the other sums begin with the group
+                // before.
                 let mut groups = groups.iter().rev();
                 let mut sums = groups.next().copied().unwrap_or([0.0; 3]);
                 for (sum, &c) in sums.iter_mut().zip(rest) {
@@ -210,7 +211,8 @@ macro_rules! real {
     (@pick f32, $a:expr, $b:expr) => { $b };
 }
 
-// The cube root's offsets are two thirds of the exponent bias, less what halves the worst error (Kahan; FreeBSD's cbrt).
+// The cube root's offsets are two thirds of the exponent bias, less what halves the worst error (Kahan;
+// FreeBSD's cbrt).
 real!(
     f64,
     u64,

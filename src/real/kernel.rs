@@ -2,8 +2,8 @@ use super::{Constant, Polynomial};
 
 /// What the kernels need of a scalar beyond [`Real`](super::Real): functions, bits, and numbers by precision.
 ///
-/// Private, so that users' code can neither name nor call it: its names may then differ in meaning from those of
-/// `f64`, and one that users' code has from another trait is never ambiguous.
+/// Private, so that users' code can neither name nor call it: its names may then differ in meaning from those
+/// of `f64`, and one that users' code has from another trait is never ambiguous.
 pub(crate) trait Kernel: Sized + Copy {
     /// A literal as a constant of the scalar: see `literal!`.
     type Literal<const BITS: u64>: Constant<Self>;
@@ -14,8 +14,8 @@ pub(crate) trait Kernel: Sized + Copy {
     /// The number of terms of a sum that this precision needs.
     fn terms(for_f64: usize, for_f32: usize) -> usize;
 
-    /// The number of steps that this precision needs of an iteration that at least doubles its digits. A derivative
-    /// follows the value one step behind, and needs one step more.
+    /// The number of steps that this precision needs of an iteration that at least doubles its digits. A
+    /// derivative follows the value one step behind, and needs one step more.
     fn steps(for_f64: usize, for_f32: usize) -> usize;
 
     /// The polynomial c₀ + c₁x + c₂x² + … with the coefficients of this precision. Horner's rule; more than 8
@@ -60,7 +60,8 @@ pub(crate) trait Kernel: Sized + Copy {
     /// (Veltkamp's splitting). For |x| below the square root of the largest number.
     fn split(self) -> (Self, Self);
 
-    /// A first guess at the cube root of a positive normal number, within 4 % (the exponent divided by three).
+    /// A first guess at the cube root of a positive normal number, within 4 % (the exponent divided by
+    /// three).
     fn cbrt_guess(self) -> Self;
 
     /// The integer k with √½ ≤ x/2ᵏ < √2, of a positive normal number x (from its bits).

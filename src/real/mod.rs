@@ -22,15 +22,16 @@ pub(crate) use repeat::repeat;
 /// A scalar: `f32`, `f64`, or [`Dual`](crate::Dual) over another scalar. The trait is sealed.
 ///
 /// `Real` has constants, operators, conversions and four methods. The other functions of a scalar are in
-/// [`math`](crate::math): `sin_cos`, `atan2`, `cbrt`, `min`, `max` and more. A number's `Into<f64>` gives its value.
+/// [`math`](crate::math): `sin_cos`, `atan2`, `cbrt`, `min`, `max` and more. A number's `Into<f64>` gives its
+/// value.
 ///
 /// The four methods [`sqrt`](Self::sqrt), [`abs`](Self::abs), [`copysign`](Self::copysign) and
-/// [`is_finite`](Self::is_finite) mean what they mean for `f64`, and `Real` has no other name that `f64` has. So
-/// `use terrella::Real` does not change the meaning of `x.round()`. Where `num_traits::Float` is in scope too,
-/// write `Real::sqrt(x)` or `Float::sqrt(x)` for these four, if the compiler asks which.
+/// [`is_finite`](Self::is_finite) mean what they mean for `f64`, and `Real` has no other name that `f64` has.
+/// So `use terrella::Real` does not change the meaning of `x.round()`. Where `num_traits::Float` is in scope
+/// too, write `Real::sqrt(x)` or `Float::sqrt(x)` for these four, if the compiler asks which.
 ///
-/// A function generic over `Real` does no `f64` arithmetic on `f32`, as long as [`of`](Self::of) is only called with
-/// constants.
+/// A function generic over `Real` does no `f64` arithmetic on `f32`, as long as [`of`](Self::of) is only
+/// called with constants.
 ///
 /// ```
 /// use terrella::Real;

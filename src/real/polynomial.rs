@@ -55,12 +55,12 @@ impl<const N: usize> Polynomial<N, N> {
     }
 }
 
-/// A polynomial of x + iy with `terms` real coefficients, at most 42: real and imaginary part. What is past the last
-/// coefficient is 0.
+/// A polynomial of x + iy with `terms` real coefficients, at most 42: real and imaginary part. What is past
+/// the last coefficient is 0.
 ///
-/// Divided by the quadratic that a number and its conjugate are the roots of: two products a coefficient (Knuth, The
-/// Art of Computer Programming 2, 4.6.4, eq. 3). Even and odd powers apart, as polynomials of the square: two chains
-/// at a time.
+/// Divided by the quadratic that a number and its conjugate are the roots of: two products a coefficient
+/// (Knuth, The Art of Computer Programming 2, 4.6.4, eq. 3). Even and odd powers apart, as polynomials of the
+/// square: two chains at a time.
 #[inline(always)]
 pub(crate) fn complex_polynomial<T: Real>([x, y]: [T; 2], terms: usize, coefficient: impl Fn(usize) -> T) -> [T; 2] {
     let times = |[a, b]: [T; 2], [c, d]: [T; 2]| [a * c - b * d, a * d + b * c];

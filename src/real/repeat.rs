@@ -1,5 +1,5 @@
-/// A block as often as a count says, up to eight times, without a loop: what is inside a loop over points must have
-/// none of its own.
+/// A block as often as a count says, up to eight times, without a loop: what is inside a loop over points
+/// must have none of its own.
 macro_rules! repeat {
     ($count:expr, $body:block) => {{
         let count = $count;

@@ -1,4 +1,5 @@
-//! The square root without `std`: an instruction where the processor is known to have one, else the `libm` crate's routine.
+//! The square root without `std`: an instruction where the processor is known to have one, else the `libm`
+//! crate's routine.
 #![allow(unsafe_code)]
 
 /// Correctly rounded, as every square root here.
@@ -6,8 +7,9 @@
 #[inline(always)]
 pub(crate) fn sqrt_f32(x: f32) -> f32 {
     let root: u32;
-    // SAFETY: the hard-float calling convention presumes a floating-point unit, and each has this instruction; no memory is touched.
-    // Through core registers, as rustc knows of no others on these targets.
+    // SAFETY: the hard-float calling convention presumes a floating-point unit, and each has this
+    // instruction; no memory is touched. Through core registers, as rustc knows of no others on these
+    // targets.
     unsafe {
         core::arch::asm!(
             "vmov s0, {x}",

@@ -2,7 +2,7 @@ use terrella::geodesic::{
     Andoyer, AndoyerSecond, AnyMethod, Area, Bowring, Flat, Geodesic, GreatCircle, Haversine, Karney, Line, Method,
     PlanarArea, PlanarPolygon, PolygonArea, Vincenty,
 };
-use terrella::{Ellipsoid, Real};
+use terrella::Ellipsoid;
 
 use crate::{Arguments, Function, Scalar, Visitor};
 

@@ -22,8 +22,8 @@ fn slope_of<T: Real + Float>(value: T, slope: T) -> T {
     if value.is_nan() { T::nan() } else { slope }
 }
 
-/// A product that is 0 where the first factor is: what does not depend on a variable has derivative 0 by it, even
-/// where f′ is infinite.
+/// A product that is 0 where the first factor is: what does not depend on a variable has derivative 0 by it,
+/// even where f′ is infinite.
 fn times<T: Real>(factor: T, slope: T) -> T {
     if factor.is_nothing() { T::ZERO } else { factor * slope }
 }
