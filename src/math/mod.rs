@@ -1,8 +1,8 @@
-//! Elementary functions for every [`Real`](crate::Real): `f32`, `f64` and [`Dual`](crate::Dual).
+//! Elementary functions for every [`Real`]: `f32`, `f64` and [`Dual`](crate::Dual).
 //!
 //! They are written from `+ − × ÷ √` alone, so every machine computes the same bits, without `std` too. They
 //! have no branch that depends on the data, so a loop over them vectorises. The square root, the absolute
-//! value and the sign are methods of [`Real`](crate::Real).
+//! value and the sign are methods of [`Real`].
 //!
 //! | function | domain | worst error, f64 | f32 | worst of all f32 |
 //! |---|---|---|---|---|

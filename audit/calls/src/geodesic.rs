@@ -1,8 +1,8 @@
+use terrella::Ellipsoid;
 use terrella::geodesic::{
     Andoyer, AndoyerSecond, AnyMethod, Area, Bowring, Flat, Geodesic, GreatCircle, Haversine, Karney, Line, Method,
     PlanarArea, PlanarPolygon, PolygonArea, Vincenty,
 };
-use terrella::Ellipsoid;
 
 use crate::{Arguments, Function, Scalar, Visitor};
 

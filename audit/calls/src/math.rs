@@ -38,12 +38,7 @@ fn scalar<T: Scalar, V: Visitor>(visitor: &mut V) {
         ([Real::copysign(x, y), Real::abs(x)], Real::is_finite(x / y))
     });
     visitor.function::<T, _, _>("Real, conversions", unit, |x| {
-        [
-            Real::plain(x),
-            Real::from_plain(x),
-            T::of(0.1),
-            T::whole(16_777_217),
-        ]
+        [Real::plain(x), Real::from_plain(x), T::of(0.1), T::whole(16_777_217)]
     });
 }
 
@@ -67,13 +62,18 @@ fn dual<T: Scalar, V: Visitor>(visitor: &mut V) {
             math::tan(x),
             math::atan(x),
         ];
-        let rests = [
-            x % y,
-            Polynomial::at(&THIRDS, x),
-            Real::copysign(x, y),
-            math::max(x, y),
-        ];
+        let rests = [x % y, Polynomial::at(&THIRDS, x), Real::copysign(x, y), math::max(x, y)];
         (roots, angles, rests, math::sin_cos(x), math::sin_cos_degrees(x))
+    });
+    visitor.function::<T, _, _>("Dual, more arithmetic", two, |[x, y]| {
+        let [x, y] = Dual::variables([x, y]);
+        let terms = [x, y, x / y, x % y];
+        let (mut quotient, mut rest) = (x, x);
+        quotient /= y;
+        rest %= y;
+        let sum: Dual<T, 2> = terms.into_iter().sum();
+        let product: Dual<T, 2> = terms.into_iter().product();
+        (quotient, rest, sum, product)
     });
     visitor.visit::<T, _, _>(Function::of("Dual", "the scalar's constants"), two, |[x, y]| {
         let [x, y] = Dual::variables([x, y]);
