@@ -4,9 +4,6 @@
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)] // a bench may fail loudly
 
-#[path = "../frontier/timing.rs"]
-mod timing;
-
 use std::hint::black_box;
 
 use fastrand::Rng;

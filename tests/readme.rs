@@ -3,8 +3,7 @@
 
 use terrella::cube::Projection;
 
-#[path = "../examples/atlas/measure.rs"]
-mod measure;
+use testkit::{measure, table};
 
 /// Projection, what it keeps, true-area ratio, aspect ratio, ε, ω in degrees, and how it is computed to the cube and back.
 #[rustfmt::skip]
@@ -33,6 +32,12 @@ fn number(value: f64, digits: usize) -> String {
     } else {
         "∞".into()
     }
+}
+
+#[test]
+fn errors_are_as_claimed() {
+    let (readme, table) = (include_str!("../README.md"), table::markdown());
+    assert!(readme.contains(&table), "the README lacks this table:\n{table}");
 }
 
 #[test]

@@ -4,7 +4,9 @@ use crate::distortion::{QUANTITIES, Quantity, face_size};
 use crate::globe::CELLS;
 use crate::indicatrix::ELLIPSES;
 use crate::legend::legend;
-use crate::page::{Shown, escaped};
+use draw::page::escaped;
+
+use crate::page::Shown;
 use crate::table::FIGURES;
 use crate::{cross_file, ellipses_file, globe_file, map_file};
 

@@ -1,22 +1,13 @@
 //! What can be asked for, and one line of complaint for what cannot.
 
 use std::fmt::Display;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use clap::{Parser, value_parser};
+use clap::{Arg, ArgAction, Command, value_parser};
+use draw::outcome::{Asked, ask, given};
+use draw::{data, ellipsoid};
 use terrella::cube::Projection;
 use terrella::{Ellipsoid, NAMED, Shift};
-
-use crate::ellipsoid;
-use crate::outcome::{Asked, ask};
-
-/// What the command line asks for.
-pub enum Request {
-    /// An atlas.
-    Atlas(Options),
-    /// A text: the help.
-    Print(String),
-}
 
 /// An atlas in detail, nothing left open.
 pub struct Options {
@@ -32,26 +23,29 @@ pub struct Options {
     pub out: PathBuf,
 }
 
-#[derive(Parser)]
-#[command(name = "atlas", about = ABOUT)]
-struct Arguments {
-    #[arg(long, value_name = "IMAGE", help = INPUT)]
-    input: Option<PathBuf>,
-
-    #[arg(long = "projection", value_name = "NAME", help = choice(PROJECTION, Projection::ALL))]
-    projections: Vec<Projection>,
-
-    #[arg(long, value_name = "NAME", help = choice(SHIFT, Shift::ALL), default_value_t = Shift::default())]
-    shift: Shift,
-
-    #[arg(long, value_name = "NAME", help = choice(ELLIPSOID, NAMED), default_value = "wgs84")]
-    ellipsoid: String,
-
-    #[arg(long, value_name = "N", help = SIZE, default_value_t = 512, value_parser = value_parser!(u32).range(64..=2048))]
-    size: u32,
-
-    #[arg(long, value_name = "DIR", help = OUT)]
-    out: Option<PathBuf>,
+fn command() -> Command {
+    let argument = |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
+    Command::new("atlas").about(ABOUT).args([
+        argument("input", "IMAGE")
+            .help(INPUT)
+            .value_parser(value_parser!(PathBuf)),
+        argument("projection", "NAME")
+            .help(choice(PROJECTION, Projection::ALL))
+            .action(ArgAction::Append)
+            .value_parser(str::parse::<Projection>),
+        argument("shift", "NAME")
+            .help(choice(SHIFT, Shift::ALL))
+            .default_value(Shift::default().name())
+            .value_parser(str::parse::<Shift>),
+        argument("ellipsoid", "NAME")
+            .help(choice(ELLIPSOID, NAMED))
+            .default_value("wgs84"),
+        argument("size", "N")
+            .help(SIZE)
+            .default_value("512")
+            .value_parser(value_parser!(u32).range(64..=2048)),
+        argument("out", "DIR").help(OUT).value_parser(value_parser!(PathBuf)),
+    ])
 }
 
 const ABOUT: &str = "\
@@ -61,7 +55,7 @@ the Earth on the unfolded cube and the grid of the cube on the globe.";
 const INPUT: &str = "\
 Map of the whole Earth in equidistant cylindrical projection, JPEG or
 PNG, twice as wide as high, longitude -180 at the left edge
-[default: examples/data/earth-blue-marble-2048.jpg]";
+[default: crates/draw/data/earth-blue-marble-2048.jpg]";
 
 const PROJECTION: &str = "Projection to draw, once for each; without any, all of";
 
@@ -93,29 +87,27 @@ fn choice<T: Display>(text: &str, names: &[T]) -> String {
 }
 
 /// Reads the command line.
-pub fn parse() -> Result<Request, String> {
-    let arguments: Arguments = match ask()? {
+pub fn parse() -> Result<Asked<Options>, String> {
+    let arguments = match ask(command())? {
         Asked::Run(arguments) => arguments,
-        Asked::Help(text) => return Ok(Request::Print(text)),
+        Asked::Help(text) => return Ok(Asked::Help(text)),
     };
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let data = root.join("examples").join("data");
-    let asked = |p: &Projection| arguments.projections.is_empty() || arguments.projections.contains(p);
-    Ok(Request::Atlas(Options {
-        input: arguments
-            .input
-            .unwrap_or_else(|| data.join("earth-blue-marble-2048.jpg")),
-        coastline: data.join("land-110m.tsv"),
-        projections: Projection::ALL.iter().copied().filter(asked).collect(),
-        shift: arguments.shift,
-        ellipsoid: ellipsoid::parse(&arguments.ellipsoid).map_err(|why| {
-            format!(
-                "invalid value '{}' for '--ellipsoid <NAME>': {why}",
-                arguments.ellipsoid
-            )
-        })?,
-        ellipsoid_name: arguments.ellipsoid,
-        size: arguments.size,
-        out: arguments.out.unwrap_or_else(|| root.join("target").join("atlas")),
+    let path = |name: &str| arguments.get_one::<PathBuf>(name).cloned();
+    let asked: Vec<Projection> = arguments.get_many("projection").unwrap_or_default().copied().collect();
+    let ellipsoid_name: String = given(&arguments, "ellipsoid")?;
+    Ok(Asked::Run(Options {
+        input: path("input").unwrap_or_else(|| data::file("earth-blue-marble-2048.jpg")),
+        coastline: data::file("land-110m.tsv"),
+        projections: Projection::ALL
+            .iter()
+            .copied()
+            .filter(|p| asked.is_empty() || asked.contains(p))
+            .collect(),
+        shift: given(&arguments, "shift")?,
+        ellipsoid: ellipsoid::parse(&ellipsoid_name)
+            .map_err(|why| format!("invalid value '{ellipsoid_name}' for '--ellipsoid <NAME>': {why}"))?,
+        ellipsoid_name,
+        size: given(&arguments, "size")?,
+        out: path("out").unwrap_or_else(|| data::target("atlas")),
     }))
 }

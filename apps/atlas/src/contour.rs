@@ -1,4 +1,4 @@
-//! Lines of equal value, by marching squares.
+//! Lines of equal value, by marching squares: open at the border of the picture, where the crate `contour` closes them into rings.
 
 /// A short straight line, in pixels.
 pub type Segment = [[f32; 2]; 2];

@@ -1,17 +1,16 @@
 //! The unfolded cube.
 
+use draw::parallel::Progress;
 use image::{Rgb, RgbImage};
-use indicatif::ProgressBar;
-use rayon::prelude::*;
 use terrella::LatLon;
 use terrella::cube::{CubeMap, Face, FacePoint, Projection};
 use tiny_skia::{Pixmap, PremultipliedColorU8};
 
 use crate::geography::Line;
-use crate::imagery::Imagery;
-use crate::page;
 use crate::pen::Pen;
 use crate::trace::{Piece, trace};
+use draw::imagery::Imagery;
+use draw::page;
 
 /// The lines that are drawn on the imagery.
 pub struct Geography {
@@ -46,12 +45,12 @@ pub fn draw(
     imagery: &Imagery,
     geography: &Geography,
     size: u32,
-    progress: &ProgressBar,
+    progress: &Progress,
 ) -> Result<RgbImage, String> {
     let coastline = pieces(map, &geography.coastline, size);
     let graticule = pieces(map, &geography.graticule, size);
     let faces = Face::ALL
-        .par_iter()
+        .iter()
         .map(|&face| {
             let mut pixmap = Pixmap::new(size, size).ok_or("a face is too large")?;
             paint(map, imagery, face, &mut pixmap);
@@ -62,7 +61,7 @@ pub fn draw(
             let end = size as f32;
             let outline: &[[f32; 2]] = &[[0.0, 0.0], [end, 0.0], [end, end], [0.0, end], [0.0, 0.0]];
             EDGE.draw(&mut pixmap, std::iter::once(outline));
-            progress.inc(1);
+            progress.step();
             Ok((face, pixmap))
         })
         .collect::<Result<Vec<_>, &str>>()?;

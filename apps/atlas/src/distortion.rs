@@ -1,7 +1,6 @@
 //! Maps of what a projection does, one for each quantity: the top above the front.
 
 use image::{Rgb, RgbImage};
-use rayon::prelude::*;
 use terrella::cube::{CubeMap, Face, Projection};
 use terrella::distortion::Jacobian;
 use tiny_skia::{Pixmap, PremultipliedColorU8};
@@ -9,10 +8,10 @@ use tiny_skia::{Pixmap, PremultipliedColorU8};
 use crate::contour::contour;
 use crate::cross::{on, pieces};
 use crate::geography::Line;
-use crate::measure::{Surveys, sphere, texel};
-use crate::page;
 use crate::pen::Pen;
 use crate::scale::Scale;
+use draw::page;
+use testkit::measure::{Surveys, sphere, texel};
 
 /// What a texel is measured for.
 pub struct Quantity {
@@ -136,7 +135,7 @@ pub fn draw(
             .collect::<Vec<_>>()
     });
     QUANTITIES
-        .par_iter()
+        .iter()
         .map(|quantity| {
             let mut picture = RgbImage::from_pixel(size, 2 * size, Rgb(page::BACKGROUND));
             for ((row, face), texels) in (0..).zip(FACES).zip(&texels) {

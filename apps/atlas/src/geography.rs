@@ -5,7 +5,7 @@ use std::path::Path;
 
 use terrella::LatLon;
 
-use crate::cannot;
+use draw::outcome::cannot;
 
 /// Vertices (longitude, latitude) in degrees, joined by lines that are straight in both. No step is longer than half a turn:
 /// the longitudes run on past 180 instead.

@@ -1,16 +1,15 @@
 //! The globe: the Earth from afar, with the grid of a cube on it.
 
 use image::{Rgb, RgbImage};
-use rayon::prelude::*;
 use terrella::cube::{CubeMap, Face, Projection};
 use terrella::{Direction, LatLon};
 use tiny_skia::{Pixmap, PremultipliedColorU8};
 
 use crate::cross::place;
-use crate::imagery::Imagery;
-use crate::page;
 use crate::pen::Pen;
 use crate::trace::trace;
+use draw::imagery::Imagery;
+use draw::{page, parallel};
 
 /// Cells along the edge of a face.
 pub const CELLS: u32 = 12;
@@ -46,16 +45,16 @@ impl Globe {
         let size = face_size * 3 / 2;
         let mut pixmap = Pixmap::new(size, size).ok_or("the globe is too large")?;
         let view = View::new();
-        pixmap
-            .pixels_mut()
-            .par_iter_mut()
-            .zip(0..size * size)
-            .for_each(|(pixel, index)| {
-                let [red, green, blue] = view.color(imagery, size, [index % size, index / size]);
-                if let Some(color) = PremultipliedColorU8::from_rgba(red, green, blue, 255) {
-                    *pixel = color;
-                }
-            });
+        let rows: Vec<u32> = (0..size).collect();
+        let colours = parallel::map(&rows, |&row| {
+            let colour = |column| view.color(imagery, size, [column, row]);
+            Ok::<Vec<_>, String>((0..size).map(colour).collect())
+        })?;
+        for (pixel, [red, green, blue]) in pixmap.pixels_mut().iter_mut().zip(colours.into_iter().flatten()) {
+            if let Some(color) = PremultipliedColorU8::from_rgba(red, green, blue, 255) {
+                *pixel = color;
+            }
+        }
         Ok(Self { pixmap, view })
     }
 

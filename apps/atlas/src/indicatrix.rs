@@ -7,7 +7,7 @@ use terrella::distortion::{Ground, Jacobian};
 
 use crate::cross::{cell, on, pieces};
 use crate::geography::Line;
-use crate::measure::{sphere, texel};
+use testkit::measure::{sphere, texel};
 
 /// The edge of a face in the picture's units: fine enough for whole numbers.
 const FACE: u32 = 800;

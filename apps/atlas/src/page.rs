@@ -4,15 +4,14 @@ use std::path::Path;
 
 use terrella::cube::{CubeMap, Projection};
 
+use draw::page::escaped;
+
 use crate::article::article;
 use crate::catalogue::{self, Entry};
 use crate::cli::Options;
 use crate::globe::{self, CELLS, Grid};
-use crate::measure::Measures;
 use crate::{legend, multiples, pareto, table};
-
-/// The page's colour, around the pictures too.
-pub const BACKGROUND: [u8; 3] = [0x0d, 0x11, 0x18];
+use testkit::measure::Measures;
 
 /// The side of the square that a sketch is drawn in: fine enough for whole numbers.
 const SKETCH: u16 = 800;
@@ -63,19 +62,8 @@ impl Shown {
 
 /// The whole page.
 pub fn html(options: &Options, shown: &[Shown]) -> String {
-    format!(
-        r##"<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>An atlas of the cube</title>
-<meta name="description" content="The Earth on the faces of a cube, in every projection of the crate terrella.">
-<style>
-{STYLE}</style>
-</head>
-<body>
-{definitions}<header>
+    let body = format!(
+        r##"{definitions}<header>
 <h1>An atlas of the cube</h1>
 <p class="lead">A globe does not lie flat, but it can be pressed into a box. On six square faces nothing crowds at the poles, and squares
 are what computers are good at: so the sky, the weather and the planets of games are kept on cubes. There are many ways to make the round
@@ -123,14 +111,12 @@ vanish at the corners.</figcaption>
 </section>
 {multiples}{articles}</main>
 <footer>
-<p>Drawn by the example <code>atlas</code> of the crate <code>terrella</code>: {size} pixels to the edge of a face; map
+<p>Drawn by the program <code>atlas</code> of the crate <code>terrella</code>: {size} pixels to the edge of a face; map
 <code>{input}</code>; ellipsoid <code>{ellipsoid}</code>, laid on the sphere by its {shift} latitude. Imagery: NASA Blue Marble, unless
 another map was given. Coastline: Natural Earth. Both are in the public domain.</p>
 </footer>
 <script>
 {SCRIPT}</script>
-</body>
-</html>
 "##,
         definitions = legend::definitions(),
         sheet = shown.iter().map(sheet_item).collect::<String>(),
@@ -144,7 +130,9 @@ another map was given. Coastline: Natural Earth. Both are in the public domain.<
         input = escaped(&file_name(&options.input)),
         ellipsoid = escaped(&options.ellipsoid_name),
         shift = options.shift,
-    )
+    );
+    let description = "The Earth on the faces of a cube, in every projection of the crate terrella.";
+    draw::page::html("An atlas of the cube", description, STYLE, &body)
 }
 
 fn sheet_item(shown: &Shown) -> String {
@@ -170,17 +158,4 @@ fn file_name(path: &Path) -> String {
         .unwrap_or(path.as_os_str())
         .to_string_lossy()
         .into_owned()
-}
-
-/// A text as the page's language writes it.
-pub fn escaped(text: &str) -> String {
-    text.chars()
-        .map(|c| match c {
-            '&' => "&amp;".to_owned(),
-            '<' => "&lt;".to_owned(),
-            '>' => "&gt;".to_owned(),
-            '"' => "&quot;".to_owned(),
-            c => c.to_string(),
-        })
-        .collect()
 }

@@ -4,9 +4,11 @@ use std::fmt::Write;
 
 use terrella::cube::Projection;
 
-use crate::labels::{Area, around, place};
-use crate::measure::Surveys;
-use crate::page::{Shown, escaped};
+use draw::labels::{Area, around, place};
+use draw::page::escaped;
+use testkit::measure::Surveys;
+
+use crate::page::Shown;
 
 /// Width and height of a picture.
 const SIZE: [f64; 2] = [960.0, 640.0];

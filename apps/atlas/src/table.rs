@@ -1,7 +1,9 @@
 //! The table of all projections, and what its columns mean.
 
-use crate::measure::{Measures, Surveys};
-use crate::page::{Shown, escaped};
+use draw::page::escaped;
+use testkit::measure::{Measures, Surveys};
+
+use crate::page::Shown;
 
 /// A measured column.
 pub struct Figure {

@@ -6,7 +6,7 @@ use terrella::cube::Projection;
 
 use crate::bench::OURS;
 use crate::projection::{Ground, names};
-use crate::record::Record;
+use timing::record::Record;
 
 /// A comparison of two records.
 struct Bar<'a> {

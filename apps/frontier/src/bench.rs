@@ -2,10 +2,10 @@
 
 use std::rc::Rc;
 
-use crate::record::Record;
 use crate::set::{Pass, Set};
-use crate::timing::time;
 use crate::truth::Scalar;
+use timing::record::Record;
+use timing::time;
 
 /// The library's name in the records.
 pub const OURS: &str = "terrella";

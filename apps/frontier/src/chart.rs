@@ -1,8 +1,8 @@
 //! Nanoseconds per point against largest error in metres, panel under panel.
 
-use crate::labels::{Area, place};
-use crate::svg::{LogAxis, Svg, Theme};
-use crate::units::metres;
+use draw::labels::{Area, place};
+use draw::svg::{LogAxis, Svg, Theme};
+use draw::units::metres;
 
 /// Dark on light, whatever the page around it.
 pub const DAY: Theme = Theme {

@@ -6,7 +6,7 @@ use terrella::cube::Projection;
 use crate::bench::OURS;
 use crate::chart::{Mark, Panel};
 use crate::projection::{BYTES, names};
-use crate::record::Record;
+use timing::record::Record;
 
 /// A chart: the stem of its file, its title, its panels.
 pub struct Chart {

@@ -1,16 +1,13 @@
 //! What the README claims about the errors, held against what was found.
 
-#[path = "../../tests/accuracy/table.rs"]
-#[allow(dead_code)]
-mod table;
-
 use std::f64::consts::SQRT_2;
 
 use terrella::cube::Projection;
+use testkit::table;
 
-use crate::points::WGS84_A;
 use crate::projection::names;
-use crate::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN, Record};
+use timing::points::WGS84_A;
+use timing::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN, Record};
 
 /// Parts of a distance in `f32` beyond which the claims of geodesics count: that it is rounded.
 const ROUNDING: f64 = 1.5e-7;

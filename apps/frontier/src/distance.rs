@@ -7,9 +7,9 @@ use terrella::geodesic::{AnyMethod, Geodesic, Method, Straight};
 use terrella::{Ellipsoid, LatLon};
 
 use crate::bench::{Bench, Mode, Task};
-use crate::points::{Order, Pairing, WGS84_A, WGS84_F, lines, pairs};
 use crate::set::{Set, batch, each};
 use crate::truth::{Row, Scalar, rows};
+use timing::points::{Order, Pairing, WGS84_A, WGS84_F, lines, pairs};
 
 /// Lines of the truth that are longer go more than half way round, which no timed line does.
 const LONGEST: f64 = 2.1e7;

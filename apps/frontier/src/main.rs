@@ -1,8 +1,8 @@
 //! Speed and largest error of everything that terrella computes, one by one and in batch, on charts with its rivals.
 //!
-//! `taskset -c 1 cargo bench --bench frontier`; see `README.md`.
+//! `taskset -c 1 cargo run --release -p frontier`; see `README.md`.
 
-// A bench may stop at what cannot be; columns are addressed by index, the bounds come from the loops around them.
+// What measures may stop at what cannot be; columns are addressed by index, the bounds come from the loops around them.
 #![allow(
     clippy::expect_used, clippy::panic, clippy::unwrap_used, clippy::indexing_slicing, missing_docs
 )]
@@ -14,43 +14,27 @@ mod charts;
 mod claims;
 mod cli;
 mod distance;
-#[path = "../../examples/atlas/labels.rs"]
-mod labels;
-#[path = "../../examples/options/outcome.rs"]
-mod outcome;
-mod points;
 mod position;
 mod projection;
-#[path = "../../examples/stability/raster.rs"]
-mod raster;
-mod record;
 mod scene;
 mod set;
-#[path = "../../examples/stability/svg.rs"]
-#[allow(dead_code)]
-mod svg;
-mod timing;
 mod truth;
-#[path = "../../examples/stability/units.rs"]
-#[allow(dead_code)]
-mod units;
 
 use std::path::Path;
 use std::process::ExitCode;
 use std::{fs, io};
 
+use draw::outcome;
+use draw::raster::{self, Fonts};
+use timing::points;
+use timing::record::{self, Record};
+
 use bars::Bars;
 use bench::Bench;
-use cli::{Options, Request};
-use raster::Fonts;
-use record::Record;
+use cli::Options;
 
 fn main() -> ExitCode {
-    outcome::report(match cli::parse() {
-        Ok(Request::Run(options)) => run(&options),
-        Ok(Request::Print(text)) => Ok(text),
-        Err(message) => Err(message),
-    })
+    outcome::run(cli::parse(), |options| run(&options))
 }
 
 /// Measures and draws; returns the table of bars and where the files are.
@@ -130,7 +114,7 @@ fn measured(options: &Options) -> Result<Vec<Record>, String> {
 /// The rivals' records, and those among them that were measured just now.
 fn rivals(options: &Options) -> Result<(Vec<Record>, Vec<Record>), String> {
     let read = |file: &Path| record::read(file).map_err(|error| cannot(file, &error));
-    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/peers/peers.csv");
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../benches/peers/peers.csv");
     let kept = if kept.exists() { read(&kept)? } else { Vec::new() };
     let now = options.peers.as_deref().map_or(Ok(Vec::new()), read)?;
     let replaced = |old: &Record| now.iter().any(|new| new.key() == old.key());

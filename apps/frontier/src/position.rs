@@ -8,10 +8,10 @@ use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, Latitude};
 
 use crate::bench::{Bench, Error, Mode, Task};
 use crate::distance::{displacement, inputs};
-use crate::points::{Order, WGS84_A, directions, lat_lons, positions};
-use crate::record::METRES_PER_RADIAN;
 use crate::set::{self, Set, each};
 use crate::truth::{Row, Scalar, rows};
+use timing::points::{Order, WGS84_A, directions, lat_lons, positions};
+use timing::record::METRES_PER_RADIAN;
 
 /// Heights of less are of no use to anybody, and most libraries do not claim them.
 const DEEPEST: f64 = -10_000.0;

@@ -9,10 +9,10 @@ use terrella::latitude::Conversion;
 use terrella::{Direction, Ellipsoid, LatLon, Latitude, Shift};
 
 use crate::bench::{Bench, Mode, Task};
-use crate::points::{Order, directions, face_points, lat_lons};
-use crate::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN};
 use crate::set::{self, Set, each_from_face, each_to_face};
 use crate::truth::{Row, Scalar, rows};
+use timing::points::{Order, directions, face_points, lat_lons};
+use timing::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN};
 
 /// The names of a projection in the truth and in the records, forward and inverse.
 pub fn names(projection: Projection) -> [&'static str; 2] {

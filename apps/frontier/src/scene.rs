@@ -10,11 +10,11 @@ use terrella::{Ellipsoid, LatLon};
 
 use crate::bench::{Bench, Mode, Task};
 use crate::chart;
-use crate::points::Random;
-use crate::record::Record;
 use crate::set::{Set, each};
-use crate::svg::{Area, LogAxis, Svg};
 use crate::truth;
+use draw::svg::{Area, LogAxis, Svg};
+use timing::points::Random;
+use timing::record::Record;
 
 pub const TITLE: &str = "The cheapest model of distances that keeps a tolerance";
 
@@ -217,12 +217,12 @@ fn axes(svg: &mut Svg, frame: Area) {
     for power in x.powers(2) {
         let at = x.at(10_f64.powi(power));
         svg.grid_line([at, frame.bottom()], [at, frame.bottom() + 6.0]);
-        svg.text([at, frame.bottom() + 22.0], "tick middle", &crate::units::metres(power));
+        svg.text([at, frame.bottom() + 22.0], "tick middle", &draw::units::metres(power));
     }
     for power in y.powers(3) {
         let at = y.at(10_f64.powi(power));
         svg.grid_line([frame.x - 6.0, at], [frame.x, at]);
-        svg.text([frame.x - 10.0, at + 4.5], "tick end", &crate::units::metres(power));
+        svg.text([frame.x - 10.0, at + 4.5], "tick end", &draw::units::metres(power));
     }
     svg.frame(frame);
     svg.text(

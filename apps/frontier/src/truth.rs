@@ -1,10 +1,6 @@
 //! The truth, as the tests read it.
 
-#[path = "../../tests/accuracy/truth.rs"]
-#[allow(dead_code)]
-mod tests;
-
-pub use tests::{Row, Scalar, Truth};
+pub use testkit::truth::{Row, Scalar, Truth};
 
 /// The rows of a truth file whose inputs are exact in the scalar, kept for as long as the program runs.
 pub fn rows<T: Scalar>(name: &str, inputs: &[&str]) -> Vec<Row<'static>> {

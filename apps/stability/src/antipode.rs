@@ -7,8 +7,8 @@ use terrella::{Ellipsoid, LatLon, Real};
 use crate::pair::{Pair, Place, Scalar, Truth};
 use crate::scale::{Scale, hatch_legend};
 use crate::solver::{Figure, Solver, radius};
-use crate::svg::{Area, Svg};
-use crate::units::{length, metres, percent};
+use draw::svg::{Area, Svg};
+use draw::units::{length, metres, percent};
 
 /// Whose antipode it is. Neither number is round in binary.
 const FROM: Place = Place { lat: 30.1, lon: 10.3 };

@@ -1,18 +1,10 @@
 //! What can be asked for, and one line of complaint for what cannot.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use clap::{Parser, value_parser};
-
-use crate::outcome::{Asked, ask};
-
-/// What the command line asks for.
-pub enum Request {
-    /// The pictures and the page.
-    Pictures(Options),
-    /// A text: the help.
-    Print(String),
-}
+use clap::{Arg, Command, value_parser};
+use draw::data;
+use draw::outcome::{Asked, ask, given};
 
 /// How much to compute, and where it goes.
 pub struct Options {
@@ -37,14 +29,20 @@ impl Options {
     }
 }
 
-#[derive(Parser)]
-#[command(name = "stability", about = ABOUT)]
-struct Arguments {
-    #[arg(long, value_name = "N", help = SAMPLES, default_value_t = 100, value_parser = value_parser!(u32).range(4..=400))]
-    samples: u32,
-
-    #[arg(long, value_name = "DIR", help = OUT)]
-    out: Option<PathBuf>,
+fn command() -> Command {
+    Command::new("stability").about(ABOUT).args([
+        Arg::new("samples")
+            .long("samples")
+            .value_name("N")
+            .help(SAMPLES)
+            .default_value("100")
+            .value_parser(value_parser!(u32).range(4..=400)),
+        Arg::new("out")
+            .long("out")
+            .value_name("DIR")
+            .help(OUT)
+            .value_parser(value_parser!(PathBuf)),
+    ])
 }
 
 const ABOUT: &str = "\
@@ -59,14 +57,12 @@ comparison takes 1000 times as many, a map 400 times as many cells";
 const OUT: &str = "Folder to write to, made if there is none [default: target/stability]";
 
 /// Reads the command line.
-pub fn parse() -> Result<Request, String> {
-    let arguments: Arguments = match ask()? {
-        Asked::Run(arguments) => arguments,
-        Asked::Help(text) => return Ok(Request::Print(text)),
-    };
-    let target = Path::new(env!("CARGO_MANIFEST_DIR")).join("target");
-    Ok(Request::Pictures(Options {
-        samples: arguments.samples,
-        out: arguments.out.unwrap_or_else(|| target.join("stability")),
-    }))
+pub fn parse() -> Result<Asked<Options>, String> {
+    Ok(match ask(command())? {
+        Asked::Run(arguments) => Asked::Run(Options {
+            samples: given(&arguments, "samples")?,
+            out: given(&arguments, "out").unwrap_or_else(|_| data::target("stability")),
+        }),
+        Asked::Help(text) => Asked::Help(text),
+    })
 }

@@ -4,8 +4,8 @@ use rayon::prelude::*;
 
 use crate::pair::{Pair, Place, Scalar, Truth};
 use crate::solver::{GEOGRAPHICLIB, Solver};
-use crate::svg::escaped;
-use crate::units::{length, percent};
+use draw::page::escaped;
+use draw::units::{length, percent};
 
 /// How far from the antipode the hard pairs are, in degrees and in metres.
 const NEAR_DEGREES: f64 = 0.5;

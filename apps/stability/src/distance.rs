@@ -4,8 +4,8 @@ use rayon::prelude::*;
 
 use crate::pair::{Pair, Place, Scalar, Truth};
 use crate::solver::Solver;
-use crate::svg::{Area, LogAxis, Svg};
-use crate::units::metres;
+use draw::svg::{Area, LogAxis, Svg};
+use draw::units::metres;
 
 /// Bins to a power of ten.
 const FINE: i32 = 10;

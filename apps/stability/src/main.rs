@@ -1,7 +1,7 @@
 //! Where the methods of distance hold and where they do not: error against distance, maps about the antipode, the way back
 //! from Earth-centred coordinates, and a comparison with other crates.
 //!
-//! `cargo run --release --example stability` writes `target/stability/index.html`; `-- --help` says what else it can do.
+//! `cargo run --release -p stability` writes `target/stability/index.html`; `-- --help` says what else it can do.
 
 // Cells, bins and scalars are addressed by index; the bounds come from the loops around them.
 #![allow(clippy::indexing_slicing)]
@@ -10,36 +10,28 @@ mod antipode;
 mod cli;
 mod comparison;
 mod distance;
-#[path = "../options/outcome.rs"]
-mod outcome;
 mod page;
 mod pair;
-mod raster;
 mod reference;
 mod scale;
 mod section;
 mod solver;
-mod svg;
-mod units;
 
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
+use draw::outcome::{self, cannot};
+use draw::raster::{self, Fonts};
+use draw::svg::{self, Svg};
+
 use cli::Options;
 use page::Picture;
 use pair::Truth;
-use raster::Fonts;
-use svg::Svg;
 
 fn main() -> ExitCode {
-    let done = match cli::parse() {
-        Ok(cli::Request::Pictures(options)) => pictures(&options),
-        Ok(cli::Request::Print(text)) => Ok(text),
-        Err(message) => Err(message),
-    };
-    outcome::report(done)
+    outcome::run(cli::parse(), |options| pictures(&options))
 }
 
 /// Makes the pictures and the page; returns the comparison and where the page is.
@@ -85,9 +77,4 @@ fn save(picture: &Picture, svg: &Svg, out: &Path, fonts: &Fonts) -> Result<(), S
     fs::write(&svg_file, &document).map_err(|error| cannot("write", &svg_file, &error))?;
     let png = raster::png(&document, fonts).map_err(|error| format!("cannot draw {}: {error}", png_file.display()))?;
     fs::write(&png_file, png).map_err(|error| cannot("write", &png_file, &error))
-}
-
-/// A message about a file.
-fn cannot(what: &str, path: &Path, error: &dyn std::error::Error) -> String {
-    format!("cannot {what} {}: {error}", path.display())
 }

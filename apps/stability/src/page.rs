@@ -1,7 +1,7 @@
 //! The page over the pictures.
 
 use crate::comparison::{self, Row};
-use crate::svg::escaped;
+use draw::page::escaped;
 
 const STYLE: &str = include_str!("page.css");
 
@@ -19,19 +19,8 @@ pub struct Picture {
 /// The whole page.
 pub fn html(pictures: &[&Picture], rows: &[Row], pairs: usize) -> String {
     let figures: String = pictures.iter().map(|picture| figure(picture)).collect();
-    format!(
-        r#"<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Where distances hold</title>
-<meta name="description" content="Errors and failures of the crate terrella's methods of distance, and of others.">
-<style>
-{STYLE}</style>
-</head>
-<body>
-<header>
+    let body = format!(
+        r#"<header>
 <h1>Where distances hold</h1>
 <p class="lead">Every formula for the distance of two places is good somewhere. Between neighbours some lose their digits, over an ocean
 some their model, and on the far side of the Earth, where every direction is nearly the shortest, some never come to an end. Here
@@ -42,21 +31,21 @@ is where.</p>
 <main>
 {figures}<article aria-labelledby="comparison">
 <h2 id="comparison">Next to other crates</h2>
-<p class="legend">{caption}</p>
+<p class="note">{caption}</p>
 <div class="scroll" role="region" aria-labelledby="comparison" tabindex="0">
 {table}</div>
 <p>{COMPARISON}</p>
 </article>
 </main>
 <footer>
-<p>Drawn by the example <code>stability</code> of the crate <code>terrella</code>.</p>
+<p>Drawn by the program <code>stability</code> of the crate <code>terrella</code>.</p>
 </footer>
-</body>
-</html>
 "#,
         caption = escaped(&comparison::caption(pairs)),
         table = comparison::html(rows),
-    )
+    );
+    let description = "Errors and failures of the crate terrella's methods of distance, and of others.";
+    draw::page::html("Where distances hold", description, STYLE, &body)
 }
 
 pub const DISTANCE: Picture = Picture {
@@ -133,7 +122,7 @@ fn figure(picture: &Picture) -> String {
         conclusion,
     } = picture;
     format!(
-        "<article aria-labelledby=\"{file}\">\n<h2 id=\"{file}\">{title}</h2>\n<p class=\"legend\">{legend}</p>\n\
+        "<article aria-labelledby=\"{file}\">\n<h2 id=\"{file}\">{title}</h2>\n<p class=\"note\">{legend}</p>\n\
          <figure><a href=\"{file}.png\"><img src=\"{file}.svg\" alt=\"{title}\"></a></figure>\n<p>{conclusion}</p>\n</article>\n"
     )
 }

@@ -2,11 +2,7 @@
 
 use terrella::{Geodetic, Real};
 
-#[allow(dead_code)] // shared with the tests
-#[path = "../../tests/properties/double.rs"]
-mod double;
-
-use double::{Double, of, sin_cos_degrees};
+use testkit::double::{Double, of, sin_cos_degrees};
 
 /// The semi-major axis of WGS84 in metres.
 pub const A: f64 = 6_378_137.0;

@@ -3,7 +3,7 @@
 use colorous::VIRIDIS;
 use image::{Rgb, RgbImage};
 
-use crate::svg::{Area, LogAxis, Svg};
+use draw::svg::{Area, LogAxis, Svg};
 
 /// Steps of colour: enough to look continuous, few enough for a picture to compress.
 const STEPS: f64 = 64.0;

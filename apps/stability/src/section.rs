@@ -6,8 +6,8 @@ use terrella::{Ecef, Ellipsoid, Real};
 use crate::pair::Scalar;
 use crate::reference::{A, Reference};
 use crate::scale::Scale;
-use crate::svg::{Area, Svg};
-use crate::units::{length, metres};
+use draw::svg::{Area, Svg};
+use draw::units::{length, metres};
 
 /// The longitude of the section in degrees.
 const LON: f64 = 30.0;

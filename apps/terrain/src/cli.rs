@@ -1,20 +1,12 @@
 //! What can be asked for, and one line of complaint for what cannot.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use clap::{Parser, value_parser};
+use clap::{Arg, Command, value_parser};
+use draw::data;
+use draw::outcome::{Asked, ask, given};
 use terrella::Shift;
 use terrella::cube::Projection;
-
-use crate::outcome::{Asked, ask};
-
-/// What the command line asks for.
-pub enum Request {
-    /// The frames and the page.
-    Frames(Options),
-    /// A text: the help.
-    Print(String),
-}
 
 /// What is drawn, and where it goes.
 pub struct Options {
@@ -27,20 +19,23 @@ pub struct Options {
     pub out: PathBuf,
 }
 
-#[derive(Parser)]
-#[command(name = "terrain", about = ABOUT)]
-struct Arguments {
-    #[arg(long, value_name = "NAME", help = PROJECTION, default_value_t = Projection::Quadrilateralized)]
-    projection: Projection,
-
-    #[arg(long, value_name = "NAME", help = SHIFT, default_value_t = Shift::Geocentric)]
-    shift: Shift,
-
-    #[arg(long, value_name = "N", help = SIZE, default_value_t = 640, value_parser = value_parser!(u32).range(64..=1920))]
-    size: u32,
-
-    #[arg(long, value_name = "DIR", help = OUT)]
-    out: Option<PathBuf>,
+fn command() -> Command {
+    let argument = |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
+    Command::new("terrain").about(ABOUT).args([
+        argument("projection", "NAME")
+            .help(PROJECTION)
+            .default_value(Projection::Quadrilateralized.name())
+            .value_parser(str::parse::<Projection>),
+        argument("shift", "NAME")
+            .help(SHIFT)
+            .default_value(Shift::Geocentric.name())
+            .value_parser(str::parse::<Shift>),
+        argument("size", "N")
+            .help(SIZE)
+            .default_value("640")
+            .value_parser(value_parser!(u32).range(64..=1920)),
+        argument("out", "DIR").help(OUT).value_parser(value_parser!(PathBuf)),
+    ])
 }
 
 const ABOUT: &str = "\
@@ -57,19 +52,16 @@ const SIZE: &str = "Pixels across a frame, 64 to 1920";
 const OUT: &str = "Folder to write to, made if there is none [default: target/terrain]";
 
 /// Reads the command line.
-pub fn parse() -> Result<Request, String> {
-    let arguments: Arguments = match ask()? {
-        Asked::Run(arguments) => arguments,
-        Asked::Help(text) => return Ok(Request::Print(text)),
-    };
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let data = root.join("examples").join("data");
-    Ok(Request::Frames(Options {
-        elevation: data.join("jacksboro-dem.pgm"),
-        imagery: data.join("earth-blue-marble-2048.jpg"),
-        projection: arguments.projection,
-        shift: arguments.shift,
-        size: arguments.size,
-        out: arguments.out.unwrap_or_else(|| root.join("target").join("terrain")),
-    }))
+pub fn parse() -> Result<Asked<Options>, String> {
+    Ok(match ask(command())? {
+        Asked::Run(arguments) => Asked::Run(Options {
+            elevation: data::file("jacksboro-dem.pgm"),
+            imagery: data::file("earth-blue-marble-2048.jpg"),
+            projection: given(&arguments, "projection")?,
+            shift: given(&arguments, "shift")?,
+            size: given(&arguments, "size")?,
+            out: given(&arguments, "out").unwrap_or_else(|_| data::target("terrain")),
+        }),
+        Asked::Help(text) => Asked::Help(text),
+    })
 }

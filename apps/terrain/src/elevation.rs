@@ -1,13 +1,11 @@
 //! The height of the ground anywhere: a real model of a small piece of it, around that its mirror image, and a long slope down to the ellipsoid.
 
-use std::fs;
 use std::path::Path;
 
 use terrella::LatLon;
 use terrella::terrain::Heights;
 
-use crate::cannot;
-use crate::pgm::{self, Grey};
+use draw::outcome::cannot;
 
 /// The outer edges of the model and its samples, in degrees.
 const NORTH: f64 = 36.732_916_67;
@@ -24,9 +22,16 @@ const SLOPE: f64 = 150_000.0;
 /// Cubic interpolation may overshoot: the weights of four samples add up to 1.25 in magnitude, in two dimensions to the square of that.
 const OVERSHOOT: f64 = 1.5625;
 
+/// Samples in rows from the north.
+struct Model {
+    columns: usize,
+    rows: usize,
+    values: Vec<u16>,
+}
+
 /// Heights in metres above the ellipsoid.
 pub struct Elevation {
-    model: Grey,
+    model: Model,
     mean: f64,
     highest: f64,
 }
@@ -34,8 +39,12 @@ pub struct Elevation {
 impl Elevation {
     /// Reads the model.
     pub fn read(path: &Path) -> Result<Self, String> {
-        let bytes = fs::read(path).map_err(|error| cannot("read", path, &error))?;
-        let model = pgm::parse(&bytes).map_err(|why| format!("cannot read {}: {why}", path.display()))?;
+        let picture = image::open(path).map_err(|error| cannot("read", path, &error))?;
+        let model = Model {
+            columns: picture.width() as usize,
+            rows: picture.height() as usize,
+            values: picture.into_luma16().into_raw(),
+        };
         let sum: f64 = model.values.iter().copied().map(f64::from).sum();
         let mut elevation = Self {
             mean: sum / model.values.len() as f64,

@@ -9,12 +9,12 @@ use crate::approach::{ASPECT, View};
 use crate::difference::Difference;
 use crate::elevation::Elevation;
 use crate::ground::{self, Ground, SAMPLES};
-use crate::imagery::Imagery;
 use crate::mesh::{self, ACROSS, Mesh, node};
-use crate::page::BACKGROUND;
 use crate::raster::Canvas;
 use crate::scalar::{Scalar, dot, lowered};
 use crate::scale::Scale;
+use draw::imagery::Imagery;
+use draw::page::BACKGROUND;
 
 /// Samples along each side of a pixel.
 const SUPERSAMPLING: u32 = 2;

@@ -7,7 +7,7 @@ use terrella::cube::{CubeMap, Projection};
 use terrella::terrain::{Enclosure, Heights, Tile};
 
 use crate::elevation::Elevation;
-use crate::imagery::Imagery;
+use draw::imagery::Imagery;
 
 /// Samples along the edge of a tile.
 pub const SAMPLES: u32 = 129;

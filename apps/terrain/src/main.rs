@@ -1,6 +1,6 @@
 //! An approach to real terrain, drawn in single and in double precision: what is between the two, and what leaning heights would do.
 //!
-//! `cargo run --release --example terrain` writes `target/terrain/index.html`; `-- --help` says what else it can do.
+//! `cargo run --release -p terrain` writes `target/terrain/index.html`; `-- --help` says what else it can do.
 
 // Pixels, samples and vertices are addressed by index; the bounds come from the loops around them.
 #![allow(clippy::indexing_slicing)]
@@ -12,28 +12,22 @@ mod difference;
 mod elevation;
 mod frame;
 mod ground;
-#[path = "../atlas/imagery.rs"]
-mod imagery;
 mod mesh;
-#[path = "../options/outcome.rs"]
-mod outcome;
 mod page;
-mod pgm;
 mod raster;
 mod scalar;
 mod scale;
 
 use std::fmt::Write as _;
-use std::fs::{self, File};
-use std::io::{BufWriter, Write as _};
+use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
-use image::codecs::jpeg::JpegEncoder;
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ImageResult, RgbImage};
-use indicatif::{ProgressBar, ProgressStyle};
-use rayon::prelude::*;
+use draw::imagery::Imagery;
+use draw::outcome::{self, cannot};
+use draw::parallel::{self, Progress};
+use draw::picture;
+use image::RgbImage;
 use terrella::Ellipsoid;
 use terrella::cube::CubeMap;
 
@@ -41,17 +35,11 @@ use approach::{STATIONS, View};
 use cli::Options;
 use elevation::Elevation;
 use frame::{Frame, World};
-use imagery::Imagery;
 
 const JPEG_QUALITY: u8 = 90;
 
 fn main() -> ExitCode {
-    let done = match cli::parse() {
-        Ok(cli::Request::Frames(options)) => approach(&options),
-        Ok(cli::Request::Print(text)) => Ok(text),
-        Err(message) => Err(message),
-    };
-    outcome::report(done)
+    outcome::run(cli::parse(), |options| approach(&options))
 }
 
 /// Draws all frames and the page; returns the figures and where the page is.
@@ -64,22 +52,15 @@ fn approach(options: &Options) -> Result<String, String> {
     fs::create_dir_all(out).map_err(|error| cannot("create the folder", out, &error))?;
 
     let world = World::new(map, elevation, imagery);
-    let progress = ProgressBar::new(STATIONS.len() as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %") {
-        progress.set_style(style);
-    }
-    let frames = STATIONS
-        .into_par_iter()
-        .enumerate()
-        .map(|(index, station)| {
-            let view = View::new(map.shifted().ellipsoid(), &world.elevation, station)?;
-            let frame = world.frame(&view, options.size)?;
-            save(&frame, index, out)?;
-            progress.inc(1);
-            Ok(frame)
-        })
-        .collect::<Result<Vec<_>, String>>()?;
-    progress.finish_and_clear();
+    let progress = Progress::new(STATIONS.len());
+    let stations: Vec<_> = STATIONS.into_iter().enumerate().collect();
+    let frames = parallel::map(&stations, |&(index, station)| {
+        let view = View::new(map.shifted().ellipsoid(), &world.elevation, station)?;
+        let frame = world.frame(&view, options.size)?;
+        save(&frame, index, out)?;
+        progress.step();
+        Ok::<_, String>(frame)
+    })?;
 
     let index = out.join("index.html");
     let page = page::html(options, &map, &frames)?;
@@ -114,20 +95,8 @@ fn table(frames: &[Frame]) -> String {
 
 /// The pictures of a frame.
 fn save(frame: &Frame, index: usize, out: &Path) -> Result<(), String> {
-    let jpeg = |picture: &RgbImage, kind| {
-        write(&out.join(jpeg_file(index, kind)), |file| {
-            JpegEncoder::new_with_quality(file, JPEG_QUALITY).encode_image(picture)
-        })
-    };
-    let png = |picture: &RgbImage, kind| {
-        write(&out.join(png_file(index, kind)), |file| {
-            picture.write_with_encoder(PngEncoder::new_with_quality(
-                file,
-                CompressionType::Best,
-                FilterType::Adaptive,
-            ))
-        })
-    };
+    let jpeg = |of: &RgbImage, kind| picture::jpeg(of, &out.join(jpeg_file(index, kind)), JPEG_QUALITY);
+    let png = |of: &RgbImage, kind| picture::png(of, &out.join(png_file(index, kind)));
     jpeg(&frame.single, "single")?;
     jpeg(&frame.double, "double")?;
     png(&frame.rounding, "rounding")?;
@@ -148,16 +117,4 @@ fn jpeg_file(index: usize, kind: &str) -> String {
 
 fn png_file(index: usize, kind: &str) -> String {
     format!("{index:02}-{kind}.png")
-}
-
-fn write(path: &Path, encode: impl FnOnce(&mut BufWriter<File>) -> ImageResult<()>) -> Result<(), String> {
-    let file = File::create(path).map_err(|error| cannot("write", path, &error))?;
-    let mut file = BufWriter::new(file);
-    encode(&mut file).map_err(|error| cannot("write", path, &error))?;
-    file.flush().map_err(|error| cannot("write", path, &error))
-}
-
-/// A message about a file.
-fn cannot(what: &str, path: &Path, error: &dyn std::error::Error) -> String {
-    format!("cannot {what} {}: {error}", path.display())
 }

@@ -10,9 +10,6 @@ use crate::frame::{Contrast, Frame, LEANING, ROUNDING};
 use crate::scale::{grouped, length};
 use crate::{jpeg_file, png_file};
 
-/// The page's colour, around the pictures too.
-pub const BACKGROUND: [u8; 3] = [0x0d, 0x11, 0x18];
-
 const STYLE: &str = include_str!("page.css");
 
 /// The whole page.
@@ -43,19 +40,8 @@ pub fn html(options: &Options, map: &CubeMap<f64, Projection>, frames: &[Frame])
     let naive_near = most(|frame| frame.naive.as_ref().map_or(0.0, |naive| naive.difference.near));
     let place = aim().map_err(|error| error.to_string())?;
     let leans = lean(&map.shifted(), place, 1_000.0);
-    Ok(format!(
-        r#"<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>An approach in single precision</title>
-<meta name="description" content="Real terrain on a cube-mapped ellipsoid, drawn by the crate terrella in single and in double precision.">
-<style>
-{STYLE}</style>
-</head>
-<body>
-<header>
+    let body = format!(
+        r#"<header>
 <h1>An approach in single precision</h1>
 <p class="lead">A graphics card computes in <code>f32</code>, whose numbers are half a metre apart at the Earth’s radius. Terrain is drawn with it to
 the millimetre all the same, if only what is small is left to it.</p>
@@ -86,13 +72,11 @@ where it should be.</p>
 {leaning_scale}{leaning}</section>
 </main>
 <footer>
-<p>Drawn by the example <code>terrain</code> of the crate <code>terrella</code>: {projection} cube, {shift} latitude, WGS84. Elevation: a piece of the
+<p>Drawn by the program <code>terrain</code> of the crate <code>terrella</code>: {projection} cube, {shift} latitude, WGS84. Elevation: a piece of the
 public-domain elevation data of the United States, 3″ between samples, its heights above the sea taken for heights above the ellipsoid; around it are its mirror images,
 which fade within 60&nbsp;km, and the ground slopes down to the ellipsoid over 150&nbsp;km: that is made up. Imagery: NASA Blue Marble, 20&nbsp;km to a pixel; near the ground the relief has
 colours of its own, by height.</p>
 </footer>
-</body>
-</html>
 "#,
         near = length(near),
         naive_near = length(naive_near),
@@ -106,6 +90,14 @@ colours of its own, by height.</p>
         side = if leans.north < 0.0 { "south" } else { "north" },
         down = length(-leans.up),
         moved = length(off_sphere(map, place)),
+    );
+    let description =
+        "Real terrain on a cube-mapped ellipsoid, drawn by the crate terrella in single and in double precision.";
+    Ok(draw::page::html(
+        "An approach in single precision",
+        description,
+        STYLE,
+        &body,
     ))
 }
 

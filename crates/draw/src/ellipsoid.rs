@@ -1,4 +1,4 @@
-//! The `--ellipsoid` option, for every example that has it.
+//! The `--ellipsoid` option, for every program that has it.
 
 use terrella::{Ellipsoid, UnknownEllipsoid};
 

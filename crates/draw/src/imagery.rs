@@ -5,7 +5,7 @@ use std::path::Path;
 use image::{ImageReader, RgbImage};
 use terrella::LatLon;
 
-use crate::cannot;
+use crate::outcome::cannot;
 
 /// A map of the whole Earth, equidistant cylindrical.
 pub struct Imagery {

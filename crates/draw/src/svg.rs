@@ -7,6 +7,8 @@ use base64::engine::general_purpose::STANDARD;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder as _, RgbImage};
 
+use crate::page::escaped;
+
 /// How a document looks.
 pub struct Theme {
     /// Rules of CSS.
@@ -176,11 +178,4 @@ impl LogAxis {
         let (low, high) = (a.min(b).ceil() as i32, a.max(b).floor() as i32);
         (low..=high).filter(move |exponent| exponent.rem_euclid(every) == 0)
     }
-}
-
-pub fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }

@@ -163,7 +163,7 @@ fn inner_bend(ground: &Ground<f64, Projection>) -> f64 {
             ]
         })
         .flatten()
-        .fold(0.0, testkit::maximum)
+        .fold(0.0, crate::maximum)
 }
 
 /// The largest turn of a grid line between the front and its neighbours to the right and above.
@@ -179,7 +179,7 @@ fn edge_bend(ground: &Ground<f64, Projection>) -> f64 {
             [across, upward]
         })
         .flatten()
-        .fold(0.0, testkit::maximum)
+        .fold(0.0, crate::maximum)
 }
 
 /// Coordinates from the middle of a crease to nearly its end.

@@ -14,6 +14,8 @@ pub trait Scalar: Real + Into<f64> {
     const LARGEST: Self;
     /// The scalar of some bits; the lower half of them are those of `f32`.
     fn from_bits(bits: u64) -> Self;
+    /// The value, if it is exact in this scalar.
+    fn lift(value: f64) -> Option<Self>;
     /// The bits, to tell zeros and NaNs apart.
     fn bits(self) -> u64;
     /// The next larger number, of a finite one; of infinity, NaN.
@@ -34,6 +36,12 @@ macro_rules! scalar {
             const LARGEST: Self = $float::MAX;
             fn from_bits(bits: u64) -> Self {
                 $float::from_bits(bits as $bits)
+            }
+            fn lift(value: f64) -> Option<Self> {
+                let scalar = value as $float;
+                // Subnormal numbers have no last place to speak of: those of `f32` are normal in `f64`.
+                let is_whole = size_of::<Self>() == 8 || scalar == 0.0 || scalar.is_normal();
+                (f64::from(scalar).to_bits() == value.to_bits() && is_whole).then_some(scalar)
             }
             fn bits(self) -> u64 {
                 self.to_bits().into()

@@ -115,8 +115,8 @@ fn compare(what: &str, measured: [f64; 2], claimed: [f64; 2]) {
     }
 }
 
-#[test]
-fn the_readme_shows_this_table() {
+/// The table as the README shows it.
+pub fn markdown() -> String {
     let mut table = String::from("| | unit | `f64` | `f32` |\n|---|---|---|---|\n");
     let number = |value: f64| {
         if value < 1e3 {
@@ -133,6 +133,5 @@ fn the_readme_shows_this_table() {
     for (projection, [fd, fs], [id, is]) in PROJECTIONS {
         table += &format!("| {projection} | {fd:?} | {fs:?} | {id:?} | {is:?} |\n");
     }
-    let readme = include_str!("../../README.md");
-    assert!(readme.contains(&table), "the README lacks this table:\n{table}");
+    table
 }

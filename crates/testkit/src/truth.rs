@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use terrella::Real;
+pub use crate::scalar::Scalar;
 
 /// The rows of a truth file, as text.
 pub struct Truth {
@@ -20,7 +20,7 @@ pub struct Row<'a> {
 impl Truth {
     /// Reads `tests/truth/NAME.tsv`.
     pub fn read(name: &str) -> Self {
-        let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("tests/truth/{name}.tsv"));
+        let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../../tests/truth/{name}.tsv"));
         let text = std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
         let mut lines = text.lines().filter(|line| !line.starts_with('#'));
         let split = |line: &str| line.split('\t').map(str::to_owned).collect::<Vec<_>>();
@@ -95,29 +95,6 @@ pub fn ulps_between(single: f32, double: f64) -> f64 {
 /// The significand in [1, 2).
 fn significand(value: f64) -> f64 {
     value.abs() / value.abs().log2().floor().exp2()
-}
-
-/// What the tests need of a scalar beyond [`Real`].
-pub trait Scalar: Real + Into<f64> {
-    const NAME: &str;
-    /// The value, if it is exact in this scalar.
-    fn lift(value: f64) -> Option<Self>;
-}
-
-impl Scalar for f64 {
-    const NAME: &str = "f64";
-    fn lift(value: f64) -> Option<Self> {
-        Some(value)
-    }
-}
-
-impl Scalar for f32 {
-    const NAME: &str = "f32";
-    fn lift(value: f64) -> Option<Self> {
-        let single = value as f32;
-        // Subnormal numbers have no last place to speak of.
-        (f64::from(single) == value && (value == 0.0 || single.is_normal())).then_some(single)
-    }
 }
 
 /// `computed` − `truth`, rounded once.

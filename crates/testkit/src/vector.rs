@@ -1,6 +1,6 @@
 //! Vectors of three components, so exactly that the errors of `f64` show.
 
-use testkit::Worst;
+use crate::Worst;
 
 /// a·b − c·d to within two roundings of the result (Kahan).
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {

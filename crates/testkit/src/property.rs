@@ -8,8 +8,10 @@ pub struct Property {
     pub single: fn(&mut Bytes<'_>),
 }
 
-/// The properties of a room: for the fuzzer a list of them, in `cargo test` a test for each of them in each scalar. New ones come last: their
-/// numbers are in the fuzzer's corpus.
+/// The properties of a room: a list of them for the fuzzer, and in `cargo test` a test for each of them in each scalar, by
+/// `harness::holds` of the crate that has them. New ones come last: their numbers are in the fuzzer's corpus.
+#[macro_export]
+#[allow(clippy::crate_in_macro_def)] // the harness is the test's, not the kit's
 macro_rules! properties {
     ($($property:ident)*) => {
         #[allow(dead_code)] // the fuzzer's
@@ -33,7 +35,6 @@ macro_rules! properties {
         )*
     };
 }
-pub(crate) use properties;
 
 /// The property and the scalar that the first byte says, on the bytes after it.
 pub fn run(properties: &[Property], bytes: &[u8]) {
