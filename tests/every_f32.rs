@@ -10,11 +10,7 @@ use rayon::prelude::*;
 use terrella::cube::{CubeProjection, Face, Quadrilateralized, Vertex};
 use terrella::latitude::Conversion;
 use terrella::{Ellipsoid, Latitude, Real, math};
-use testkit::{maximum, minimum};
-
-#[allow(dead_code)] // shared
-#[path = "accuracy/table.rs"]
-mod table;
+use testkit::{maximum, minimum, table};
 
 /// The largest error, and where.
 #[derive(Clone, Copy, Debug, Default)]

@@ -2,10 +2,7 @@
 #![allow(missing_docs, clippy::indexing_slicing)] // tests
 
 use terrella::cube::{Kept, Profile, Projection};
-use testkit::generated;
-
-#[path = "../examples/atlas/measure.rs"]
-mod measure;
+use testkit::{generated, measure, table};
 
 fn number(value: f64, digits: usize) -> String {
     if value.is_finite() {
@@ -13,6 +10,11 @@ fn number(value: f64, digits: usize) -> String {
     } else {
         "∞".into()
     }
+}
+
+#[test]
+fn errors_are_as_claimed() {
+    generated::section("README.md", "| | unit | `f64` | `f32` |", &table::markdown());
 }
 
 #[test]

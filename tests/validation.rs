@@ -10,17 +10,13 @@ use std::error::Error;
 use std::fmt::{Debug, Display};
 use std::str::FromStr;
 
-#[allow(dead_code)] // shared
-#[path = "properties/scalar.rs"]
-mod scalar;
-
-use scalar::{Scalar, same};
 use terrella::cube::{CubeMap, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Projection};
 use terrella::geodesic::Method;
 use terrella::latitude::{Conversion, InvalidLatitude, UnsupportedFlattening};
 use terrella::{
     Direction, Dual, Ellipsoid, InvalidDirection, InvalidLatLon, LatLon, Latitude, NAMED, Real, Shift, Shifted,
 };
+use testkit::scalar::{Scalar, same};
 use testkit::{maximum, minimum};
 
 fn lengths<T: Scalar>() {

@@ -4,8 +4,8 @@ use terrella::Direction;
 use terrella::cube::{CubeProjection, Face, FacePoint, Projection};
 use testkit::{Worst, maximum};
 
-use crate::table::hold_projection;
-use crate::truth::{Row, Scalar, Truth};
+use testkit::table::hold_projection;
+use testkit::truth::{Row, Scalar, Truth};
 
 /// The truth files of a projection, forward and inverse.
 fn files(projection: Projection) -> [String; 2] {

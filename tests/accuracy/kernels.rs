@@ -3,8 +3,8 @@
 use terrella::{Real, math};
 use testkit::{Worst, maximum};
 
-use crate::table::hold;
-use crate::truth::{Scalar, Truth, ulps_between};
+use testkit::table::hold;
+use testkit::truth::{Scalar, Truth, ulps_between};
 
 /// A function of `math`, its truth file with the columns of arguments and results, and arguments to try at random.
 trait Kernel {

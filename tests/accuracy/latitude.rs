@@ -4,8 +4,8 @@ use terrella::latitude::{Conversion, Shifted};
 use terrella::{Ellipsoid, LatLon, Latitude, Shift};
 use testkit::{Worst, maximum};
 
-use crate::table::hold;
-use crate::truth::{Scalar, Truth};
+use testkit::table::hold;
+use testkit::truth::{Scalar, Truth};
 
 const ELLIPSOIDS: [&str; 3] = ["wgs84", "oblate10", "prolate150"];
 

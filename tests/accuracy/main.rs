@@ -8,5 +8,3 @@ mod kernels;
 mod latitude;
 mod position;
 mod round_trip;
-mod table;
-mod truth;

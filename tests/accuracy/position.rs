@@ -3,8 +3,8 @@
 use terrella::{Direction, LatLon};
 use testkit::{Worst, maximum};
 
-use crate::table::hold;
-use crate::truth::{Scalar, Truth};
+use testkit::table::hold;
+use testkit::truth::{Scalar, Truth};
 
 /// The largest distance of a direction from the truth, in radians.
 fn direction<T: Scalar>() -> f64 {

@@ -5,8 +5,8 @@ use terrella::cube::{CubeMap, Face, FacePoint, Projection};
 use terrella::{Ellipsoid, LatLon, Shift};
 use testkit::Worst;
 
-use crate::table::hold;
-use crate::truth::Scalar;
+use testkit::table::hold;
+use testkit::truth::Scalar;
 
 /// A number in [−1, 1] of any magnitude down to 1e-16.
 fn tiny(rng: &mut fastrand::Rng) -> f64 {

@@ -8,7 +8,7 @@ use terrella::cube::{Corner, CubeProjection, Edge, Face, FacePoint, Projection};
 use testkit::Worst;
 
 use crate::sample::{Scalar, coordinates, every_projection, ulps};
-use crate::unfolded::{across_and_along, all_edges, at_corner, beyond, normal, on_edge};
+use testkit::unfolded::{across_and_along, all_edges, at_corner, beyond, normal, on_edge};
 
 /// How far from exact a seam may be, in ulps.
 #[derive(Clone, Copy)]

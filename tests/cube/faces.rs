@@ -5,7 +5,7 @@ use terrella::cube::{CubeProjection, Face, Healpix};
 use terrella::{Direction, Real};
 
 use crate::sample::{Scalar, directions, signed};
-use crate::unfolded::{cross, frame};
+use testkit::unfolded::{cross, frame};
 
 #[test]
 fn frames_are_those_of_the_table() {

@@ -10,8 +10,4 @@ mod numbering;
 mod places;
 mod range;
 mod sample;
-#[allow(dead_code)] // shared
-#[path = "../properties/scalar.rs"]
-mod scalar;
 mod symmetry;
-mod unfolded;

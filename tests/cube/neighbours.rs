@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use terrella::cube::{Corner, CubeProjection, Edge, Face, FacePoint};
 
 use crate::sample::every_projection;
-use crate::unfolded::{Vector, all_edges, at_corner, beyond, combine, cross, dot, frame, normal, on_edge};
+use testkit::unfolded::{Vector, all_edges, at_corner, beyond, combine, cross, dot, frame, normal, on_edge};
 
 /// The neighbour by geometry: the face whose outward vector is the edge's.
 fn across(face: Face, edge: Edge) -> Face {

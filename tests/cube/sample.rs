@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use terrella::Direction;
 use terrella::cube::{Face, Projection};
 
-pub use crate::scalar::{Scalar, ulps};
+pub use testkit::scalar::{Scalar, ulps};
 
 /// Runs a check of a projection for all of them.
 pub fn every_projection(check: impl Fn(Projection) + Sync) {

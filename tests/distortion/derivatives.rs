@@ -6,8 +6,8 @@ use terrella::{Dual, Ellipsoid, Real, Shift};
 use testkit::Worst;
 
 use crate::sphere::{at, on, places, unit_sphere};
-use crate::table::hold;
-use crate::truth::{Scalar, Truth};
+use testkit::table::hold;
+use testkit::truth::{Scalar, Truth};
 
 /// The largest errors of a slope, along the ground and in units of the longest, and of an area, relative.
 fn errors<T: Scalar>(truth: &Truth) -> [f64; 2] {

@@ -10,11 +10,5 @@ mod equal_area;
 mod paper;
 mod sphere;
 mod survey;
-#[allow(dead_code)] // shared
-#[path = "../accuracy/table.rs"]
-mod table;
 mod texture;
 mod tissot;
-#[allow(dead_code)] // shared
-#[path = "../accuracy/truth.rs"]
-mod truth;

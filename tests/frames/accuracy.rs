@@ -2,8 +2,10 @@
 
 use testkit::{Worst, maximum, minimum};
 
-use crate::truth::{Row, Scalar, Truth};
-use crate::{ecef, ellipsoid, geodetic, length, table};
+use testkit::table;
+use testkit::truth::{Row, Scalar, Truth};
+
+use crate::{ecef, ellipsoid, geodetic, length};
 
 const EARTH_AXES: [&str; 3] = ["X", "Y", "Z"];
 

@@ -4,8 +4,8 @@ use terrella::frame::{Aer, Enu};
 use terrella::{Ecef, Ellipsoid, Geodetic, InvalidEcef, InvalidHeight, LatLon};
 use testkit::maximum;
 
-use crate::truth::Scalar;
 use crate::{ELLIPSOIDS, distance, ecef, ellipsoid, geodetic};
+use testkit::truth::Scalar;
 
 fn of<T: Scalar>(name: &str, x: f64, y: f64, z: f64) -> [f64; 3] {
     let p = ellipsoid::<T>(name).to_geodetic(ecef(T::of(x), T::of(y), T::of(z)));

@@ -3,9 +3,9 @@
 use terrella::{Aer, Ellipsoid, Enu, LocalFrame, Ned};
 use testkit::{Worst, minimum};
 
-use crate::table::hold;
-use crate::truth::{Row, Scalar, Truth, ulps_between};
 use crate::{distance, geodetic, length};
+use testkit::table::hold;
+use testkit::truth::{Row, Scalar, Truth, ulps_between};
 
 const POSITIONS: [&str; 6] = ["lat1", "lon1", "h1", "lat2", "lon2", "h2"];
 

@@ -9,17 +9,9 @@ mod local;
 mod nearest;
 mod offset;
 mod round_trip;
-#[path = "../properties/nearest.rs"]
-mod search;
-#[path = "../accuracy/table.rs"]
-#[allow(dead_code)] // other tests use the rest of it
-mod table;
-#[path = "../accuracy/truth.rs"]
-#[allow(dead_code)] // other tests use the rest of it
-mod truth;
 
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon};
-use truth::Scalar;
+use testkit::truth::Scalar;
 
 /// The ellipsoids of the truth files.
 const ELLIPSOIDS: [&str; 4] = ["wgs84", "moon", "oblate10", "prolate150"];

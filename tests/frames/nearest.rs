@@ -3,9 +3,9 @@
 use terrella::{Ellipsoid, Geodetic};
 use testkit::maximum;
 
-use crate::search::searched;
-use crate::truth::Scalar;
 use crate::{ecef, length};
+use testkit::nearest::searched;
+use testkit::truth::Scalar;
 
 fn check<T: Scalar>(flattening: f64, tolerance: f64) {
     let e = Ellipsoid::<T>::new(T::of(6.4e6), T::of(flattening)).unwrap();

@@ -6,9 +6,9 @@ use terrella::{Aer, Ellipsoid, Enu, Geodetic, LocalFrame, Ned};
 
 use testkit::Worst;
 
-use crate::table::hold;
-use crate::truth::{Row, Scalar, Truth};
 use crate::{ELLIPSOIDS, ellipsoid, geodetic, length};
+use testkit::table::hold;
+use testkit::truth::{Row, Scalar, Truth};
 
 const INPUTS: [&str; 6] = ["lat1", "lon1", "h1", "east", "north", "up"];
 

@@ -2,8 +2,8 @@
 
 use testkit::{Worst, minimum};
 
-use crate::truth::Scalar;
 use crate::{ELLIPSOIDS, distance, ellipsoid, geodetic};
+use testkit::truth::Scalar;
 
 /// The largest distance after the way to latitude, longitude, height and back, below 100 km and above.
 fn worst<T: Scalar>(name: &str) -> [f64; 2] {

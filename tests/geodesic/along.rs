@@ -6,7 +6,7 @@ use terrella::geodesic::Geodesic;
 use testkit::{maximum, minimum};
 
 use crate::sample::{place, signed};
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 /// The largest errors in metres of distance, of the azimuths × reduced length, and of the position of the direct problem.
 #[derive(Clone, Copy, Debug, Default)]

@@ -7,7 +7,7 @@ use testkit::{Worst, maximum, minimum};
 
 use crate::along::{Errors, hold, turned};
 use crate::sample::{awkward, even, place, signed};
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 #[test]
 fn it_holds_at_every_distance() {

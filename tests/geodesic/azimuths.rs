@@ -8,7 +8,7 @@ use terrella::{Ellipsoid, LatLon};
 use testkit::{Worst, maximum};
 
 use crate::sample::{awkward, place};
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 /// A course in space, of a place and an azimuth.
 fn course(lat: f64, lon: f64, azimuth: f64) -> [f64; 3] {

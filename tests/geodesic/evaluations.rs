@@ -4,7 +4,7 @@ use terrella::geodesic::Karney;
 use terrella::{Ellipsoid, LatLon};
 
 use crate::sample::{even, place, signed};
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 type Pair = fn(&mut fastrand::Rng) -> [f64; 4];
 

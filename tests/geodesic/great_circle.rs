@@ -5,7 +5,7 @@ use terrella::{Direction, LatLon};
 use testkit::{Worst, maximum, minimum};
 
 use crate::sample::{awkward, place};
-use crate::truth::{Row, Scalar, Truth};
+use testkit::truth::{Row, Scalar, Truth};
 
 fn unit<T: Scalar>() -> GreatCircle<T> {
     GreatCircle::new(T::ONE).unwrap()
@@ -92,7 +92,7 @@ fn distances_are_as_accurate_as_claimed() {
             .all(|&[double, single]| double <= 4e-16 && single <= 1.5e-7)
     );
     let largest = |i: usize| Worst::of(worst.iter().map(|pair| pair[i]));
-    crate::table::hold("GreatCircle distance, relative", [largest(0), largest(1)]);
+    testkit::table::hold("GreatCircle distance, relative", [largest(0), largest(1)]);
 }
 
 #[test]

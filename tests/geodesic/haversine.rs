@@ -4,7 +4,7 @@ use terrella::geodesic::{Geodesic, GreatCircle, Haversine};
 use testkit::Worst;
 
 use crate::sample::{place, signed};
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 /// The largest error in radians, by [`GreatCircle`] in `f64`, over pairs whose angle is short of the antipode by this many degrees or more;
 /// relative to the distance, if wished.

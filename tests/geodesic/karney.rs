@@ -5,8 +5,8 @@ use terrella::geodesic::{Area, Geodesic, GeodesicError, Karney};
 use terrella::{Ellipsoid, LatLon, Real};
 use testkit::{Worst, maximum, minimum};
 
-use crate::table::hold;
-use crate::truth::{Row, Scalar, Truth};
+use testkit::table::hold;
+use testkit::truth::{Row, Scalar, Truth};
 
 fn ellipsoid<T: Real>(name: &str) -> Ellipsoid<T> {
     let (a, f) = match name {

@@ -20,11 +20,5 @@ mod poles;
 mod polygons;
 mod sample;
 mod stability;
-#[allow(dead_code)] // shared
-#[path = "../accuracy/table.rs"]
-mod table;
 mod track;
-#[allow(dead_code)] // shared
-#[path = "../accuracy/truth.rs"]
-mod truth;
 mod vincenty;

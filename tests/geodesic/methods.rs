@@ -3,7 +3,7 @@
 use terrella::Ellipsoid;
 use terrella::geodesic::{Andoyer, AndoyerSecond, Bowring, Flat, Geodesic, GreatCircle, Haversine, Vincenty};
 
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 pub type Methods<T> = Vec<(&'static str, Box<dyn Geodesic<T>>)>;
 

@@ -7,7 +7,7 @@ use terrella::{Ellipsoid, LatLon};
 use testkit::Worst;
 
 use crate::sample::{place, signed};
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 type Corners = Vec<(f64, f64)>;
 

@@ -7,7 +7,7 @@ use testkit::{Worst, maximum};
 use crate::along::turned;
 use crate::methods::methods;
 use crate::sample::place;
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 /// A pole is one place, by whatever longitudes it is named.
 fn pole<T: Scalar>() {

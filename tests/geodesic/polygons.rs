@@ -8,7 +8,7 @@ use terrella::geodesic::{Area, Geodesic, Karney};
 use testkit::Worst;
 
 use crate::sample::{even, place, signed};
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 /// The area of the Earth's ellipsoid in m²: 40 digits, rounded.
 const WHOLE: f64 = 510_065_621_724_088.44;

@@ -2,7 +2,7 @@
 
 use terrella::LatLon;
 
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 /// A place from numbers in range.
 pub fn place<T: Scalar>(lat: T, lon: T) -> LatLon<T> {

@@ -5,7 +5,7 @@ use terrella::{Ellipsoid, LatLon};
 
 use crate::methods::{Methods, methods};
 use crate::sample::{awkward, place};
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 /// Numbers at which something may go wrong.
 fn hard<T: Scalar>(rng: &mut fastrand::Rng, most: f64) -> T {

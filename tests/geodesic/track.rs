@@ -4,7 +4,7 @@ use terrella::geodesic::{Geodesic, GreatCircle};
 use testkit::Worst;
 
 use crate::sample::{even, place};
-use crate::truth::Scalar;
+use testkit::truth::Scalar;
 
 /// Latitude and longitude of a place, of a leg's start and of its end, and in radians how far the place is to the right of the leg and how far
 /// along: by 50 digits (mpmath), as normals of planes. Legs of 1e-7 to 3 rad.

@@ -9,7 +9,7 @@ use testkit::{Worst, maximum, minimum};
 use crate::along::{Errors, hold, turned};
 use crate::great_circle::places;
 use crate::sample::{awkward, even, place, signed};
-use crate::truth::{Row, Scalar, Truth};
+use testkit::truth::{Row, Scalar, Truth};
 
 /// The flattest ellipsoid that is taken.
 const FLATTEST: f64 = 1.0 / 293.0;
@@ -333,7 +333,7 @@ fn it_is_as_accurate_as_claimed() {
         assert!(earth <= claimed && moon <= claimed && ends.iter().all(|&part| part <= 1.0));
         earth
     }
-    crate::table::hold("Vincenty inverse, distance", [hold::<f64>(1e-4), hold::<f32>(7.0)]);
+    testkit::table::hold("Vincenty inverse, distance", [hold::<f64>(1e-4), hold::<f32>(7.0)]);
 }
 
 #[test]

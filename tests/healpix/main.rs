@@ -3,19 +3,13 @@
     missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests
 
-#[path = "../accuracy/table.rs"]
-#[allow(dead_code)] // other tests use the rest of it
-mod table;
-#[path = "../accuracy/truth.rs"]
-#[allow(dead_code)] // other tests use the rest of it
-mod truth;
-
 use fastrand::Rng;
 use proptest::prelude::*;
 use terrella::LatLon;
 use terrella::healpix::{self, InvalidPixel, Pixel};
 use testkit::Worst;
-use truth::{Row, Scalar, Truth};
+use testkit::table;
+use testkit::truth::{Row, Scalar, Truth};
 
 fn place_of<T: Scalar>(row: Row<'_>) -> LatLon<T> {
     LatLon::new(row.input("lat"), row.input("lon")).unwrap()

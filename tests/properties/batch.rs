@@ -8,9 +8,9 @@ use terrella::geodesic::{Geodesic, GeodesicError, Karney, Vincenty};
 use terrella::latitude::Conversion;
 use terrella::{Direction, Ecef, Geodetic, LatLon, Latitude, Real, Shift, Shifted};
 
-use crate::bytes::Bytes;
-use crate::property::properties;
-use crate::scalar::{Scalar, same};
+use testkit::bytes::Bytes;
+use testkit::properties;
+use testkit::scalar::{Scalar, same};
 
 properties! { positions latitudes points projections maps inverses directs }
 

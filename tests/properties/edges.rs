@@ -4,10 +4,10 @@ use terrella::Direction;
 use terrella::cube::{CubeProjection, Edge, FacePoint, Projection};
 use testkit::{Worst, maximum};
 
-use crate::bytes::Bytes;
-use crate::property::properties;
-use crate::scalar::{Scalar, steps, ulps};
-use crate::unfolded::{beyond, on_edge};
+use testkit::bytes::Bytes;
+use testkit::properties;
+use testkit::scalar::{Scalar, steps, ulps};
+use testkit::unfolded::{beyond, on_edge};
 
 properties! { seam step }
 

@@ -6,11 +6,11 @@ use terrella::math::sin_cos_degrees;
 use terrella::{Ellipsoid, LatLon};
 use testkit::{maximum, minimum};
 
-use crate::bytes::Bytes;
-use crate::property::properties;
-use crate::scalar::{Scalar, same};
-use crate::table::claim;
-use crate::vector::{self, length};
+use testkit::bytes::Bytes;
+use testkit::properties;
+use testkit::scalar::{Scalar, same};
+use testkit::table::claim;
+use testkit::vector::{self, length};
 
 properties! { inverse direct lengths area polygon methods_inverse methods_direct swapped_and_mirrored triangle }
 

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, FileFailurePersistence, RngAlgorithm, TestRng, TestRunner};
 
-use crate::bytes::Bytes;
+use testkit::bytes::Bytes;
 
 /// How many inputs of a property are tried.
 const CASES: u32 = 4000;

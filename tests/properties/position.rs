@@ -6,13 +6,13 @@ use terrella::latitude::Conversion;
 use terrella::{Aer, Ecef, Ellipsoid, Enu, Geodetic, Latitude, LocalFrame, Ned};
 use testkit::maximum;
 
-use crate::bytes::Bytes;
-use crate::double::{Double, of, sin_cos_degrees};
-use crate::nearest::searched;
-use crate::property::properties;
-use crate::scalar::{Scalar, steps};
-use crate::table::claim;
-use crate::vector::{apart, excess, length};
+use testkit::bytes::Bytes;
+use testkit::double::{Double, of, sin_cos_degrees};
+use testkit::nearest::searched;
+use testkit::properties;
+use testkit::scalar::{Scalar, steps};
+use testkit::table::claim;
+use testkit::vector::{apart, excess, length};
 
 properties! { to_direction to_lat_lon to_ecef to_geodetic nearest frames pointing latitudes_close latitudes_grow latitudes_are_true }
 

@@ -4,13 +4,14 @@
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection};
 use terrella::{Direction, Real, Shift};
 use testkit::maximum;
+use testkit::vector;
 
-use crate::bytes::Bytes;
-use crate::property::properties;
-use crate::scalar::{Scalar, same, ulps};
-use crate::table::{claim, claims_of};
-use crate::vector::{angle, apart, excess};
-use crate::{reference, vector};
+use super::reference;
+use testkit::bytes::Bytes;
+use testkit::properties;
+use testkit::scalar::{Scalar, same, ulps};
+use testkit::table::{claim, claims_of};
+use testkit::vector::{angle, apart, excess};
 
 properties! { forward inverse round_trip forward_is_true inverse_is_true symmetries ellipsoid grows }
 

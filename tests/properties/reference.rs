@@ -3,7 +3,7 @@
 
 use terrella::cube::Projection;
 
-use crate::double::{Double, PI, of};
+use testkit::double::{Double, PI, of};
 
 type Plane = [Double; 2];
 type Vector = [Double; 3];
@@ -216,7 +216,7 @@ mod tests {
     use testkit::Worst;
 
     use super::direction;
-    use crate::truth::Truth;
+    use testkit::truth::Truth;
 
     #[test]
     fn the_reference_is_the_truth() {

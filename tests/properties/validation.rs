@@ -21,11 +21,11 @@ use terrella::{
 };
 use testkit::{maximum, minimum};
 
-use crate::bytes::Bytes;
-use crate::geodesic::flattenings;
-use crate::property::properties;
-use crate::scalar::{Scalar, same};
-use crate::vector::{cross, excess, length};
+use super::geodesic::flattenings;
+use testkit::bytes::Bytes;
+use testkit::properties;
+use testkit::scalar::{Scalar, same};
+use testkit::vector::{cross, excess, length};
 
 properties! {
     lat_lon direction near_unit face_point numbered geodetic ellipsoid flattening latitude names lines beyond_lat_lon

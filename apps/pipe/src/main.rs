@@ -14,8 +14,6 @@
 //! `write.rs` what can be written to them, `options.rs` the options.
 
 mod command;
-#[path = "../../../examples/options/ellipsoid.rs"]
-mod ellipsoid;
 mod lines;
 mod operation;
 mod options;

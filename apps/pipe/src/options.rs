@@ -19,7 +19,7 @@ pub struct Nothing {}
 /// An ellipsoid.
 #[derive(Args)]
 pub struct Planet {
-    #[arg(long, value_name = "NAME|A,F", default_value = "wgs84", value_parser = crate::ellipsoid::parse, help = planets())]
+    #[arg(long, value_name = "NAME|A,F", default_value = "wgs84", value_parser = draw::ellipsoid::parse, help = planets())]
     ellipsoid: Ellipsoid<f64>,
 }
 

@@ -1,8 +1,8 @@
 //! Speed of a pass on the timed sets, its largest error on the truth.
 
 use crate::pass::{Pass, Set};
-use crate::record::Record;
-use crate::timing::{REPETITIONS, time};
+use timing::record::Record;
+use timing::{REPETITIONS, time};
 
 /// The error of a row of the truth in metres, given the results of all.
 type ErrorOf = Box<dyn Fn(usize, &Set) -> Option<f64>>;

@@ -7,14 +7,14 @@ use uom::si::length::meter;
 
 use crate::bench::{Bench, Task};
 use crate::pass::{Pass, Set, each};
-use crate::points::{Order, Pairing, WGS84_A, WGS84_F, lines, pairs};
+use timing::points::{Order, Pairing, WGS84_A, WGS84_F, lines, pairs};
 use crate::position::place;
 use crate::shim::Shim;
 use crate::truth::{Exact, Truth};
 use crate::{Unit, one_by_one};
 
 /// Points of a set.
-const N: usize = crate::points::N;
+const N: usize = timing::points::N;
 
 fn inverse_task(operation: &str, unit: Unit) -> Task {
     let set = |pairing| {

@@ -11,16 +11,10 @@ use std::process::Command;
 mod bench;
 mod distance;
 mod pass;
-#[path = "../../frontier/points.rs"]
-mod points;
 mod position;
 mod projection;
-#[path = "../../frontier/record.rs"]
-mod record;
 mod shim;
 mod table;
-#[path = "../../frontier/timing.rs"]
-mod timing;
 mod truth;
 
 use bench::{Bench, Task};

@@ -11,7 +11,7 @@ use uom::si::{angle::radian, length::meter};
 use crate::bench::{Bench, Task};
 use crate::distance::displacement;
 use crate::pass::{Pass, Set, each};
-use crate::points::{N, Order, WGS84_A, lat_lons, positions};
+use timing::points::{N, Order, WGS84_A, lat_lons, positions};
 use crate::shim::Shim;
 use crate::truth::{Exact, Truth};
 use crate::{Unit, one_by_one};

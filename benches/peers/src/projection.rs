@@ -8,8 +8,8 @@ use s2::cellid::CellID;
 
 use crate::bench::{Bench, Task};
 use crate::pass::{Pass, Set, each};
-use crate::points::{N, Order, WGS84_A, WGS84_F, directions, face_points, lat_lons};
-use crate::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN};
+use timing::points::{N, Order, WGS84_A, WGS84_F, directions, face_points, lat_lons};
+use timing::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN};
 use crate::shim::Shim;
 use crate::truth::{Exact, Truth};
 

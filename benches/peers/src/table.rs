@@ -1,6 +1,6 @@
 //! Records as Markdown.
 
-use crate::record::Record;
+use timing::record::Record;
 
 /// Prints a table for each chart: a line for each function, a column for each set of points.
 pub fn print(records: &[Record]) {

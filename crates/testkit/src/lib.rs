@@ -1,9 +1,30 @@
-//! What the tests share: the largest of many errors, among which a NaN is not lost as it is by `f64::max`.
+//! What the tests share: the largest of many errors, among which a NaN is not lost as it is by `f64::max`; the truth and the table of
+//! what is claimed; and the numbers, bytes and vectors of the properties.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
 #[cfg(feature = "std")]
+pub mod bytes;
+#[cfg(feature = "std")]
+pub mod double;
+#[cfg(feature = "std")]
 pub mod generated;
+#[cfg(feature = "std")]
+pub mod measure;
+#[cfg(feature = "std")]
+pub mod nearest;
+#[cfg(feature = "std")]
+pub mod property;
+#[cfg(feature = "std")]
+pub mod scalar;
+#[cfg(feature = "std")]
+pub mod table;
+#[cfg(feature = "std")]
+pub mod truth;
+#[cfg(feature = "std")]
+pub mod unfolded;
+#[cfg(feature = "std")]
+pub mod vector;
 mod worst;
 
 pub use worst::Worst;

@@ -25,7 +25,7 @@ impl Read for Ellipsoid {
     const COLUMNS: Count = Count::exactly(1);
 
     fn read(fields: &mut Fields) -> Result<Self, Failure> {
-        Ok(Self(crate::ellipsoid::parse(fields.text()?)?))
+        Ok(Self(draw::ellipsoid::parse(fields.text()?)?))
     }
 }
 
