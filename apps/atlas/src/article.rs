@@ -1,11 +1,12 @@
 //! What the page says of one projection.
 
+use draw::page::escaped;
+use terrella::cube::Profile;
+
 use crate::distortion::{QUANTITIES, Quantity, face_size};
 use crate::globe::CELLS;
 use crate::indicatrix::ELLIPSES;
 use crate::legend::legend;
-use draw::page::escaped;
-
 use crate::page::Shown;
 use crate::table::FIGURES;
 use crate::{cross_file, ellipses_file, globe_file, map_file};
@@ -13,9 +14,7 @@ use crate::{cross_file, ellipses_file, globe_file, map_file};
 /// The article, with pictures of faces of `size` pixels.
 pub fn article(shown: &Shown, size: u32) -> String {
     let (projection, title) = (shown.projection, shown.title());
-    let [also, idea, origin] = shown
-        .entry
-        .map_or([""; 3], |entry| [entry.also, entry.idea, entry.origin]);
+    let Profile { also, idea, origin, .. } = *projection.profile();
     let paragraph = |class: &str, text: &str| match text {
         "" => String::new(),
         text => format!("<p class=\"{class}\">{}</p>\n", escaped(text)),

@@ -6,7 +6,6 @@
 #![allow(clippy::indexing_slicing)]
 
 mod article;
-mod catalogue;
 mod cli;
 mod contour;
 mod cross;

@@ -7,7 +7,6 @@ use terrella::cube::{CubeMap, Projection};
 use draw::page::escaped;
 
 use crate::article::article;
-use crate::catalogue::{self, Entry};
 use crate::cli::Options;
 use crate::globe::{self, CELLS, Grid};
 use crate::{legend, multiples, pareto, table};
@@ -22,7 +21,6 @@ const SCRIPT: &str = include_str!("page.js");
 /// A projection on the page.
 pub struct Shown {
     pub projection: Projection,
-    pub entry: Option<&'static Entry>,
     pub measures: Measures,
     sketch: Grid,
 }
@@ -33,7 +31,6 @@ impl Shown {
         let projection = map.projection();
         Self {
             projection,
-            entry: catalogue::entry(projection),
             measures: Measures::of(projection),
             sketch: globe::sketch(map, SKETCH),
         }
@@ -41,7 +38,7 @@ impl Shown {
 
     /// Its name.
     pub fn title(&self) -> String {
-        escaped(self.entry.map_or(self.projection.name(), |entry| entry.title))
+        escaped(self.projection.profile().title)
     }
 
     /// What it leaves as it is.
@@ -55,8 +52,8 @@ impl Shown {
 
     /// How it is computed to the cube and back.
     pub fn methods(&self) -> [&'static str; 2] {
-        self.entry
-            .map_or(["–"; 2], |entry| [entry.forward.name(), entry.inverse.name()])
+        let profile = self.projection.profile();
+        [profile.forward, profile.inverse].map(|evaluation| evaluation.formula.name())
     }
 }
 

@@ -36,7 +36,9 @@ const FRONT: [[f64; 2]; 8] = [
 const CORNER: f64 = 31.0845;
 
 /// The projections made for the crate.
-const OWN: [Projection; 3] = [Projection::Balanced, Projection::Square, Projection::Separable];
+fn is_own(projection: Projection) -> bool {
+    projection.profile().origin.starts_with("Made for terrella")
+}
 
 /// One axis.
 struct Axis {
@@ -122,7 +124,7 @@ impl Chart {
                     (self.y.value)(&shown.measures.sphere),
                 ];
                 let beyond = [x > self.x.to, y > self.y.to];
-                (self.at(x, y), title.as_str(), OWN.contains(&shown.projection), beyond)
+                (self.at(x, y), title.as_str(), is_own(shown.projection), beyond)
             })
             .collect();
         // From the right, where there is room.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use terrella::cube::Projection;
 
 use crate::bench::OURS;
-use crate::projection::{Ground, names};
+use crate::projection::Ground;
 use timing::record::Record;
 
 /// A comparison of two records.
@@ -72,7 +72,7 @@ impl<'a> Bars<'a> {
             }
         };
         let projected = |projection: Projection, direction: usize, ground: Ground, scalar: &str, mode: &str| {
-            let operation = format!("{} {}", names(projection)[direction], ["forward", "inverse"][direction]);
+            let operation = format!("{projection} {}", ["forward", "inverse"][direction]);
             self.our(
                 &operation,
                 &format!("{projection}; {}", ground.name()),
@@ -100,7 +100,9 @@ impl<'a> Bars<'a> {
         }
         for (direction, word) in ["forward", "inverse"].into_iter().enumerate() {
             let ours = |projection, ground, mode| projected(projection, direction, ground, "f64", mode);
-            let rival = |code: &str, library, method| self.rival(&format!("{code} {word}"), library, method, "random");
+            let rival = |projection: &str, library, method| {
+                self.rival(&format!("{projection} {word}"), library, method, "random")
+            };
             let (qsc, s2q, healpix) = (
                 Projection::Quadrilateralized,
                 Projection::S2Quadratic,
@@ -110,24 +112,24 @@ impl<'a> Bars<'a> {
                 add(
                     format!("WCSLIB, {mode}"),
                     ours(qsc, Ground::Vector, mode),
-                    rival("qsc", "WCSLIB", ""),
+                    rival("quadrilateralized", "WCSLIB", ""),
                     wanted,
                 );
             }
             add(
                 "S2 in C++".to_owned(),
                 ours(s2q, Ground::Vector, "one by one"),
-                rival("s2q", "S2", ""),
+                rival("s2-quadratic", "S2", ""),
                 1.0,
             );
             for (mode, wanted) in [("batch", 12.0), ("one by one", 3.0)] {
                 add(
                     format!("PROJ, sphere, {mode}"),
                     ours(qsc, Ground::Sphere, mode),
-                    rival("qsc", "PROJ", "+R=1"),
+                    rival("quadrilateralized", "PROJ", "+R=1"),
                     wanted,
                 );
-                let wgs84 = rival("qsc", "PROJ", "WGS84");
+                let wgs84 = rival("quadrilateralized", "PROJ", "WGS84");
                 add(
                     format!("PROJ, WGS84, {mode}"),
                     ours(qsc, Ground::Geocentric, mode),
@@ -142,7 +144,7 @@ impl<'a> Bars<'a> {
                 3.0,
             );
             for projection in [s2q, Projection::Adjusted, Projection::Tangential, healpix] {
-                let proj = rival(names(projection)[0], "PROJ", "+R=1");
+                let proj = rival(projection.name(), "PROJ", "+R=1");
                 add(
                     "PROJ, one by one".to_owned(),
                     ours(projection, Ground::Sphere, "one by one"),

@@ -5,7 +5,7 @@ use terrella::cube::Projection;
 
 use crate::bench::OURS;
 use crate::chart::{Mark, Panel};
-use crate::projection::{BYTES, names};
+use crate::projection::BYTES;
 use timing::record::Record;
 
 /// A chart: the stem of its file, its title, its panels.
@@ -21,7 +21,7 @@ pub struct Chart {
 pub fn all(records: &[Record]) -> Vec<Chart> {
     let projections: Vec<String> = Projection::ALL
         .iter()
-        .map(|&projection| projection_key(projection))
+        .map(|projection| projection.name().to_owned())
         .collect();
     let latitudes: Vec<String> = Latitude::ALL[1..]
         .iter()
@@ -227,18 +227,10 @@ fn numbered(
     }
 }
 
-/// A projection's name in a key: its own and the truth's.
-fn projection_key(projection: Projection) -> String {
-    match names(projection) {
-        [name, _] if name == projection.name() => name.to_owned(),
-        [name, _] => format!("{projection} ({name})"),
-    }
-}
-
 fn projection_name(record: &Record) -> Option<String> {
     let (projection, _) = record.operation.split_once(' ')?;
     Some(match library(record) {
-        OURS => projection_key(record.method.split(';').next()?.parse().ok()?),
+        OURS => projection.to_owned(),
         "S2" => format!("S2 (C++): {projection}"),
         "s2" => format!("s2 (crate): {projection}"),
         other => format!("{other}: {projection}"),

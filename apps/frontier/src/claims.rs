@@ -5,7 +5,6 @@ use std::f64::consts::SQRT_2;
 use terrella::cube::Projection;
 use testkit::table;
 
-use crate::projection::names;
 use timing::points::WGS84_A;
 use timing::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN, Record};
 
@@ -44,7 +43,7 @@ fn claim(record: &Record) -> Option<f64> {
                 });
             }
             let (forward, inverse) = table::claims_of(projection);
-            if operation == format!("{} forward", names(projection)[0]) {
+            if operation == format!("{projection} forward") {
                 // Claimed of x and y each.
                 SQRT_2 * forward[single] * METRES_PER_FACE_UNIT
             } else {

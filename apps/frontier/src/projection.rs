@@ -14,23 +14,6 @@ use crate::truth::{Row, Scalar, rows};
 use timing::points::{Order, directions, face_points, lat_lons};
 use timing::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN};
 
-/// The names of a projection in the truth and in the records, forward and inverse.
-pub fn names(projection: Projection) -> [&'static str; 2] {
-    let name = match projection {
-        Projection::Tangential => "tsc",
-        Projection::Adjusted => "asc",
-        Projection::Outerra => "osc",
-        Projection::Cobe => return ["csc", "cobe-published"],
-        Projection::CobeExact => "csc",
-        Projection::Quadrilateralized => "qsc",
-        Projection::Cartesian => "ksc",
-        Projection::Healpix => "healpix",
-        Projection::S2Quadratic => "s2q",
-        other => other.name(),
-    };
-    [name, name]
-}
-
 /// What a point off the cube is.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Ground {
@@ -175,9 +158,14 @@ impl Expected {
 }
 
 fn forward<T: Scalar>(projection: Projection, ground: Ground, sets: &Sets<T>) -> Task<T> {
-    let [name, _] = names(projection);
+    // The forward polynomials of the two are one.
+    let same = if projection == Projection::Cobe {
+        Projection::CobeExact
+    } else {
+        projection
+    };
     let inputs: &[&str] = if ground == Ground::Vector { &EARTH } else { &[] };
-    let truth = rows::<T>(&format!("cube_{name}_forward"), inputs);
+    let truth = rows::<T>(&format!("cube_{same}_forward"), inputs);
     let places = truth
         .iter()
         .map(|row| ground.encode(EARTH.map(|c| row.value(c))))
@@ -194,7 +182,7 @@ fn forward<T: Scalar>(projection: Projection, ground: Ground, sets: &Sets<T>) ->
     let expected: Vec<_> = expected.collect();
     Task {
         chart: "projection",
-        operation: format!("{name} forward"),
+        operation: format!("{projection} forward"),
         inputs: if ground == Ground::Vector {
             sets.vectors.clone()
         } else {
@@ -209,13 +197,12 @@ fn forward<T: Scalar>(projection: Projection, ground: Ground, sets: &Sets<T>) ->
 }
 
 fn inverse<T: Scalar>(projection: Projection, ground: Ground, sets: &Sets<T>) -> Task<T> {
-    let [_, name] = names(projection);
-    let truth = rows::<T>(&format!("cube_{name}_inverse"), &["x", "y"]);
+    let truth = rows::<T>(&format!("cube_{projection}_inverse"), &["x", "y"]);
     let faces = truth.iter().map(|row| face(row.value("face") as u8)).collect();
     let points = ["x", "y"].map(|column| truth.iter().map(|row| row.value(column)).collect());
     Task {
         chart: "projection",
-        operation: format!("{name} inverse"),
+        operation: format!("{projection} inverse"),
         inputs: sets.points.clone(),
         truth: Set::on(faces, points.into()),
         error: Box::new(move |i, room| {

@@ -7,11 +7,11 @@ use uom::si::length::meter;
 
 use crate::bench::{Bench, Task};
 use crate::pass::{Pass, Set, each};
-use timing::points::{Order, Pairing, WGS84_A, WGS84_F, lines, pairs};
 use crate::position::place;
 use crate::shim::Shim;
 use crate::truth::{Exact, Truth};
 use crate::{Unit, one_by_one};
+use timing::points::{Order, Pairing, WGS84_A, WGS84_F, lines, pairs};
 
 /// Points of a set.
 const N: usize = timing::points::N;

@@ -11,10 +11,10 @@ use uom::si::{angle::radian, length::meter};
 use crate::bench::{Bench, Task};
 use crate::distance::displacement;
 use crate::pass::{Pass, Set, each};
-use timing::points::{N, Order, WGS84_A, lat_lons, positions};
 use crate::shim::Shim;
 use crate::truth::{Exact, Truth};
 use crate::{Unit, one_by_one};
+use timing::points::{N, Order, WGS84_A, lat_lons, positions};
 
 /// Heights of less are of no use to anybody, and most libraries do not claim them.
 const DEEPEST: f64 = -10_000.0;

@@ -8,10 +8,10 @@ use s2::cellid::CellID;
 
 use crate::bench::{Bench, Task};
 use crate::pass::{Pass, Set, each};
-use timing::points::{N, Order, WGS84_A, WGS84_F, directions, face_points, lat_lons};
-use timing::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN};
 use crate::shim::Shim;
 use crate::truth::{Exact, Truth};
+use timing::points::{N, Order, WGS84_A, WGS84_F, directions, face_points, lat_lons};
+use timing::record::{METRES_PER_FACE_UNIT, METRES_PER_RADIAN};
 
 /// (b/a)² of WGS84.
 const AXES2: f64 = (1.0 - WGS84_F) * (1.0 - WGS84_F);
@@ -391,27 +391,34 @@ pub fn run(bench: &mut Bench) {
             "+proj=qsc +R=1; lat lon; proj_trans",
             "+proj=qsc +R=1; lat lon; proj_trans_generic by face",
         ];
-        Pair::new("qsc", "qsc", Place::Radians, whole).run(bench, &shim, "qsc", sphere, true);
+        Pair::new("quadrilateralized", "quadrilateralized", Place::Radians, whole)
+            .run(bench, &shim, "qsc", sphere, true);
         let wgs84 = [
             "+proj=qsc +ellps=WGS84; geodetic lat lon; proj_trans",
             "+proj=qsc +ellps=WGS84; geodetic lat lon; proj_trans_generic by face",
         ];
-        Pair::new("qsc", "qsc", Place::Wgs84, faces(WGS84_A, 0.0)).run(bench, &shim, "qsc_wgs84", wgs84, true);
+        Pair::new(
+            "quadrilateralized",
+            "quadrilateralized",
+            Place::Wgs84,
+            faces(WGS84_A, 0.0),
+        )
+        .run(bench, &shim, "qsc_wgs84", wgs84, true);
         let s2_way = [
             "+proj=s2 +R=1; lat lon; proj_trans",
             "+proj=s2 +R=1; lat lon; proj_trans_generic by face",
         ];
-        Pair::new("s2q", "s2q", Place::Radians, half).run(bench, &shim, "s2_quadratic", s2_way, true);
+        Pair::new("s2-quadratic", "s2-quadratic", Place::Radians, half).run(bench, &shim, "s2_quadratic", s2_way, true);
         let tangent = [
             "+proj=s2 +UVtoST=tangent +R=1; lat lon; proj_trans",
             "+proj=s2 +UVtoST=tangent +R=1; lat lon; proj_trans_generic by face",
         ];
-        Pair::new("asc", "asc", Place::Radians, half).run(bench, &shim, "s2_tangent", tangent, true);
+        Pair::new("adjusted", "adjusted", Place::Radians, half).run(bench, &shim, "s2_tangent", tangent, true);
         let none = [
             "+proj=s2 +UVtoST=none +R=1; lat lon; proj_trans",
             "+proj=s2 +UVtoST=none +R=1; lat lon; proj_trans_generic by face",
         ];
-        Pair::new("tsc", "tsc", Place::Radians, s2_axes(whole)).run(bench, &shim, "s2_none", none, true);
+        Pair::new("tangential", "tangential", Place::Radians, s2_axes(whole)).run(bench, &shim, "s2_none", none, true);
         let healpix = [
             "+proj=healpix +R=1; lat lon; proj_trans",
             "+proj=healpix +R=1; lat lon; proj_trans_generic",
@@ -422,13 +429,17 @@ pub fn run(bench: &mut Bench) {
 
     for shim in Shim::all("wcslib", "WCSLIB") {
         let plane = Plane::new(Layout::Unfolded);
-        for code in ["qsc", "tsc", "csc"] {
+        for (code, name) in [
+            ("qsc", "quadrilateralized"),
+            ("tsc", "tangential"),
+            ("csc", "cobe-exact"),
+        ] {
             let methods = ["n = 1", "vector"].map(|call| format!("{code}s2x and {code}x2s; lat lon; {call}"));
             let methods = [methods[0].as_str(), methods[1].as_str()];
-            Pair::new(code, code, Place::Degrees, plane).run(bench, &shim, code, methods, false);
+            Pair::new(name, name, Place::Degrees, plane).run(bench, &shim, code, methods, false);
         }
         // Its inverse is the published polynomial, which is not quite the inverse of the forward one.
-        let published = inverse("cobe-published", "cobe-published", Place::Degrees, plane);
+        let published = inverse("cobe", "cobe", Place::Degrees, plane);
         for (mode, call, suffix) in [("one by one", "n = 1", ""), ("batch", "vector", "_batch")] {
             let pass = shim.pass(&format!("csc_inverse{suffix}"));
             bench.run(
@@ -447,8 +458,8 @@ pub fn run(bench: &mut Bench) {
         Pair::new("healpix", "healpix", Place::Degrees, plane).run(bench, &shim, "healpix", methods, false);
     }
 
-    let quadratic = Pair::new("s2q", "s2q", Place::Vector, s2(faces(0.5, 0.5)));
-    let gnomonic = Pair::new("tsc", "tsc", Place::Vector, s2(faces(1.0, 0.0)));
+    let quadratic = Pair::new("s2-quadratic", "s2-quadratic", Place::Vector, s2(faces(0.5, 0.5)));
+    let gnomonic = Pair::new("tangential", "tangential", Place::Vector, s2(faces(1.0, 0.0)));
     for shim in Shim::all("s2geometry", "S2") {
         for (pair, name, method) in [
             (&quadratic, "s2_quadratic", "S2::XYZtoFaceUV and UVtoST; unit vectors"),
@@ -466,7 +477,12 @@ pub fn run(bench: &mut Bench) {
     // The crate s2 keeps its planes to itself: what it offers is the cell of 30 bits either way.
     let library = crate::crate_version("s2");
     let method = "CellID::from(Point) and back; leaf cells of 1 cm; unit vectors";
-    let cells = Pair::new("s2q", "s2q", Place::Vector, s2(Plane::new(Layout::Cells)));
+    let cells = Pair::new(
+        "s2-quadratic",
+        "s2-quadratic",
+        Place::Vector,
+        s2(Plane::new(Layout::Cells)),
+    );
     run(
         &cells.forward,
         &library,
