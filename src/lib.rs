@@ -18,7 +18,7 @@
 //! | [`Ellipsoid`] | the size and shape of a planet; [`Geodetic`] to [`Ecef`] and back |
 //! | [`LocalFrame`] | east, north, up about an origin; [`Enu`], [`Ned`], [`Aer`] |
 //! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from ellipsoid to sphere |
-//! | [`cube`] | faces, points on them, sixteen projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
+//! | [`cube`] | faces, points on them, the projections; [`CubeMap`](cube::CubeMap) ties them to an ellipsoid |
 //! | [`healpix`] | standard HEALPix on the sphere: nested pixels and the plane |
 //! | [`geodesic`] | distances, azimuths, destinations and areas: nine methods behind one trait |
 //! | [`distortion`] | what a projection does to shapes, areas and texels; surveys of whole faces |

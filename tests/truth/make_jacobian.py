@@ -98,14 +98,8 @@ MAPS = [
     ("healpix", 0, healpix_side),
     ("healpix", 4, healpix_cap),
     ("s2-quadratic", 0, s2_quadratic),
-    ("equi-edge", 0, inverse_of("equi-edge")),
-    ("algebraic", 0, inverse_of("algebraic")),
-    ("vertex", 0, inverse_of("vertex")),
-    ("conformal", 0, inverse_of("conformal")),
-    ("balanced", 0, inverse_of("balanced")),
-    ("square", 0, inverse_of("square")),
-    ("separable", 0, inverse_of("separable")),
 ]
+MAPS += [(name, 0, inverse_of(name)) for name in cube.MAPS if name != "cobe"]
 
 
 def inputs(rng):
