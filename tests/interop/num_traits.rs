@@ -1,8 +1,8 @@
 //! Code generic over num-traits, run on dual numbers.
 
 use ::num_traits::{Bounded, Float, FloatConst, FromPrimitive, NumAssign, NumCast, Signed, ToPrimitive, Zero};
-use geo::{Distance, Euclidean, Length, LineString, Point};
-use terrella::geodesic::{Geodesic, Inverse};
+use num_complex::Complex;
+use terrella::geodesic::{Geodesic, GreatCircle};
 use terrella::{Dual, LatLon, Real};
 use testkit::Worst;
 
@@ -389,29 +389,35 @@ fn a_users_solver_is_differentiated() {
     assert!((by_eccentricity - sin / (1.0 - 0.25 * cos)).abs() < 1e-15);
 }
 
+/// The haversine distance of geo 0.32 in metres, as it is written there: degrees, for any float.
+fn haversine<F: Float + FromPrimitive>([y1, x1]: [F; 2], [y2, x2]: [F; 2], radius: f64) -> F {
+    let two = F::one() + F::one();
+    let theta1 = y1.to_radians();
+    let theta2 = y2.to_radians();
+    let delta_theta = (y2 - y1).to_radians();
+    let delta_lambda = (x2 - x1).to_radians();
+    let a = (delta_theta / two).sin().powi(2) + theta1.cos() * theta2.cos() * (delta_lambda / two).sin().powi(2);
+    let c = two * a.sqrt().asin();
+    F::from(radius).unwrap() * c
+}
+
 #[test]
-fn another_crates_geodesics_are_differentiated() {
-    // geo's haversine distance, by both positions: its slopes are the azimuths that this crate finds.
-    let ours = terrella::geodesic::GreatCircle::new(6_371_008.8_f64).unwrap();
-    let theirs = geo::HaversineMeasure::new(6_371_008.8);
-    let metres = 6_371_008.8 * 1_f64.to_radians();
+fn slopes_of_a_distance_are_azimuths() {
+    const RADIUS: f64 = 6_371_008.8;
+    let ours = GreatCircle::new(RADIUS).unwrap();
+    let metres = RADIUS * 1_f64.to_radians();
     for [lat1, lon1, lat2, lon2] in [
         [59.9, 10.7, 52.5, 13.4],
         [-0.2, -78.5, 35.7, 139.7],
         [10.0, 20.0, -30.0, -40.0],
     ] {
-        let Inverse {
-            distance,
-            azimuth1,
-            azimuth2,
-        } = ours
-            .inverse(LatLon::new(lat1, lon1).unwrap(), LatLon::new(lat2, lon2).unwrap())
-            .unwrap();
+        let [from, to] = [[lat1, lon1], [lat2, lon2]].map(|[lat, lon]| LatLon::new(lat, lon).unwrap());
+        let line = ours.inverse(from, to).unwrap();
         let [y1, x1, y2, x2] = Dual::variables([lat1, lon1, lat2, lon2]);
-        let found = theirs.distance(Point::new(x1, y1), Point::new(x2, y2));
-        assert!((found.value() - distance).abs() < 1e-8 * distance);
-        let (sin1, cos1) = azimuth1.to_radians().sin_cos();
-        let (sin2, cos2) = azimuth2.to_radians().sin_cos();
+        let found = haversine([y1, x1], [y2, x2], RADIUS);
+        assert!((found.value() - line.distance).abs() < 1e-12 * line.distance);
+        let (sin1, cos1) = line.azimuth1.to_radians().sin_cos();
+        let (sin2, cos2) = line.azimuth2.to_radians().sin_cos();
         let expected = [
             -cos1,
             -sin1 * lat1.to_radians().cos(),
@@ -424,13 +430,38 @@ fn another_crates_geodesics_are_differentiated() {
     }
 }
 
+/// num-complex knows nothing of derivatives. Those of its functions are complex numbers: ∂f/∂x = f′, ∂f/∂y = if′.
 #[test]
-fn another_crates_lengths_are_differentiated() {
-    let [x, y] = Dual::variables([3.0_f64, 4.0]);
-    let zero = Dual::constant(0.0);
-    let path = LineString::from(vec![(zero, zero), (x, y), (x + x, zero)]);
-    let length = Euclidean.length(&path);
-    assert_eq!(length.value(), 10.0);
-    let [by_x, by_y] = length.slopes();
-    assert!((by_x - 1.2).abs() < 1e-15 && (by_y - 1.6).abs() < 1e-15);
+fn another_crates_functions_are_differentiated() {
+    type D2 = Dual<f64, 2>;
+    type Function<T> = fn(Complex<T>) -> Complex<T>;
+    let functions: [(Function<D2>, Function<f64>); 9] = [
+        (|z| z.exp(), |z| z.exp()),
+        (|z| z.ln(), |z| z.inv()),
+        (|z| z.sqrt(), |z| z.sqrt().inv() * 0.5),
+        (|z| z.powi(3), |z| z * z * 3.0),
+        (|z| z.sin(), |z| z.cos()),
+        (|z| z.cosh(), |z| z.sinh()),
+        (|z| z.tan(), |z| (z.cos() * z.cos()).inv()),
+        (|z| z.atan(), |z| (z * z + 1.0).inv()),
+        (|z| z.asinh(), |z| (z * z + 1.0).sqrt().inv()),
+    ];
+    let mut worst = Worst::default();
+    for place in [[0.3, 0.4], [-1.2, 0.7], [2.0, -1.5]] {
+        let [x, y] = Dual::variables(place);
+        for (function, derivative) in &functions {
+            let found = function(Complex::new(x, y));
+            let expected = derivative(Complex::new(place[0], place[1]));
+            let ([u_x, u_y], [v_x, v_y]) = (found.re.slopes(), found.im.slopes());
+            for (a, b) in [
+                (u_x, expected.re),
+                (v_x, expected.im),
+                (u_y, -expected.im),
+                (v_y, expected.re),
+            ] {
+                worst.add((a - b).abs() / expected.norm());
+            }
+        }
+    }
+    assert!(worst.value() <= 1e-14, "{worst:?}");
 }
