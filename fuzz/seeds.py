@@ -1,6 +1,6 @@
 """Seeds for the fuzz targets, from the truth: python3 seeds.py DIRECTORY writes DIRECTORY/TARGET/*.
 
-A seed is the bytes that tests/properties/bytes.rs reads: the property and the scalar, then numbers as any bits.
+A seed is the bytes that crates/testkit/src/bytes.rs reads: the property and the scalar, then numbers as any bits.
 """
 
 import pathlib

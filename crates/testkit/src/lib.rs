@@ -14,6 +14,8 @@ pub mod measure;
 #[cfg(feature = "std")]
 pub mod nearest;
 #[cfg(feature = "std")]
+pub mod program;
+#[cfg(feature = "std")]
 pub mod property;
 #[cfg(feature = "std")]
 pub mod scalar;
