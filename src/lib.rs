@@ -74,7 +74,10 @@ pub use dual::Dual;
 pub use ellipsoid::{Ellipsoid, InvalidEllipsoid, NAMED, UnknownEllipsoid};
 pub use frame::{Aer, Enu, LocalFrame, Ned};
 pub use latitude::{Latitude, Shift, Shifted};
-pub use position::{Direction, Ecef, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon};
+pub use position::{
+    Direction, Dms, DmsLatLon, Ecef, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon,
+    ParseLatLonError,
+};
 pub use real::Real;
 
 #[cfg(doctest)]

@@ -191,7 +191,7 @@ impl Pixel {
 }
 
 /// Why there is no such [`Pixel`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidPixel {
     /// The depth is above 29.

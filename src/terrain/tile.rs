@@ -20,7 +20,7 @@ use crate::math::{min, select};
 /// assert_eq!(tile.parent(), Some(Tile::new(Face::Top, 2, 2, 1)?));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Tile {
@@ -319,8 +319,16 @@ fn signed<T: Real>(number: i32) -> T {
     select(number < 0, -magnitude, magnitude)
 }
 
+impl fmt::Display for Tile {
+    /// Writes face, level, column and row: `top/3/5/2`. To parse text, see [`Key`](super::Key).
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { face, level, i, j } = self;
+        write!(f, "{face}/{level}/{i}/{j}")
+    }
+}
+
 /// Why there is no such [`Tile`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidTile {
     /// The level is above 30.
