@@ -23,6 +23,7 @@ use crate::{LatLon, Real};
 #[doc(alias = "HEALPix")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pixel {
     depth: u8,
     number: u64,

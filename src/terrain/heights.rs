@@ -15,6 +15,7 @@ use crate::{Enu, LatLon, Real, Shifted};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Heights<T = f64> {
     low: T,
     high: T,
