@@ -241,7 +241,6 @@ impl core::error::Error for InvalidKey {}
 /// Why a text is not a [`Key`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
 pub enum InvalidToken {
     /// Its length in bytes, which is not in 1 to 16.
     Length(usize),

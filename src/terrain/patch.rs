@@ -403,7 +403,6 @@ pub(super) fn samples_and_length(samples: u32, lengths: &[usize]) -> Result<(), 
 /// Why a patch was refused; nothing was written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
 pub enum InvalidPatch {
     /// The number of samples along an edge is not in 2 to 4097.
     Samples(u32),
