@@ -80,7 +80,7 @@ impl Pixel {
         } = facet;
         let last = (1_u32 << depth) - 1;
         let across = T::whole(1 << depth);
-        let index = |share: T| (share * across).floor().cast_unsigned().min(last);
+        let index = |share: T| ((share * across).floor() as u32).min(last);
         let (zero, half) = (T::ZERO, T::of(0.5));
         let north = height > zero;
         // Two lines between base pixels cross in the middle of the quarter on the equator; one rises to the

@@ -50,7 +50,7 @@ impl LatLon {
         if !(lat >= -90.0 && lat <= 90.0) {
             return Err(InvalidLatLon::Latitude(lat));
         }
-        if !(lon - lon == 0.0) {
+        if !lon.is_finite() {
             return Err(InvalidLatLon::Longitude(lon));
         }
         let turned = if lon >= -180.0 && lon <= 180.0 {

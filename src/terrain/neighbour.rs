@@ -102,7 +102,7 @@ impl Tile {
         }
         let (first, second) = corner.edges();
         // Of the two edges, those of even number are crossed by a change of i.
-        let edge = if beside == (first as u8).is_multiple_of(2) {
+        let edge = if beside == (first as u8 % 2 == 0) {
             first
         } else {
             second
@@ -260,7 +260,7 @@ impl Tile {
             }
         };
         // A step along y becomes one along −x by one turn, along −y by two; one along x becomes one along −x by two, along −y by three.
-        let sideways = !(edge as u8).is_multiple_of(2);
+        let sideways = edge as u8 % 2 == 1;
         let backward = if sideways { turns >= 2 } else { turns == 1 || turns == 2 };
         Ok(Along {
             first,

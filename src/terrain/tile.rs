@@ -91,7 +91,7 @@ impl Tile {
         let index = |x: T| {
             // Scaling is exact; adding 1 to x first would not be.
             let finest = (x * T::whole(half.into())).floor().wrapping_add_unsigned(half);
-            finest.cast_unsigned().min(2 * half - 1) >> (Self::MAX_LEVEL - level)
+            (finest as u32).min(2 * half - 1) >> (Self::MAX_LEVEL - level)
         };
         Ok(Self::within(point.face(), level, index(point.x()), index(point.y())))
     }
@@ -308,7 +308,7 @@ impl Tile {
     /// The lower end of a column or row, in units of 2^−level from the middle of the face.
     #[inline(always)]
     const fn low(self, index: u32) -> i32 {
-        2 * index.cast_signed() - (1 << self.level)
+        2 * index as i32 - (1 << self.level)
     }
 }
 
