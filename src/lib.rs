@@ -40,8 +40,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Features: `std` (default) takes the hardware's square root and its widest instructions, with the same results; `glam`, `defmt`, `serde` and `num-traits` add
-//! conversions and implementations of traits. The README has the table of worst errors.
+//! Features: `std` (default) takes the hardware's square root and its widest instructions, with the same results;
+//! `geo-types`, `glam`, `mint`, `nalgebra`, `num-traits`, `serde` and `defmt` add conversions and implementations of
+//! traits. The README has the table of worst errors.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -74,7 +75,10 @@ pub use dual::Dual;
 pub use ellipsoid::{Ellipsoid, InvalidEllipsoid, NAMED, UnknownEllipsoid};
 pub use frame::{Aer, Enu, LocalFrame, Ned};
 pub use latitude::{Latitude, Shift, Shifted};
-pub use position::{Direction, Ecef, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon};
+pub use position::{
+    Direction, Dms, DmsLatLon, Ecef, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon,
+    ParseLatLonError,
+};
 pub use real::Real;
 
 #[cfg(doctest)]

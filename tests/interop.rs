@@ -1,4 +1,4 @@
-//! The optional conversions: serde, glam, num-traits, defmt; each test needs its feature.
+//! The optional conversions: serde, glam, mint, nalgebra, geo-types, num-traits, defmt; each test needs its feature.
 #![allow(
     missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // a test may fail loudly
@@ -11,7 +11,9 @@ mod serde {
     use ::serde::de::DeserializeOwned;
     use serde_json::{from_str, from_value, to_string, to_value};
     use terrella::cube::{CubeProjection, Face, FacePoint, Projection};
-    use terrella::terrain::Tile;
+    use terrella::frame::GeodeticOffset;
+    use terrella::healpix::Pixel;
+    use terrella::terrain::{Heights, Hilbert, Key, Morton, Tile};
     use terrella::{Direction, Ellipsoid, LatLon, Latitude, NAMED, Real, Shift};
 
     /// Out and in again, as a tree of values: decimals would test the reader's rounding, not ours.
@@ -68,6 +70,23 @@ mod serde {
         reads(r#"{"x":0,"y":1,"z":0}"#, east);
         reads(r#"{"face":"top","x":0.25,"y":-1}"#, point);
         reads(r#"{"a":1737400,"f":0}"#, moon);
+        let heights = Heights::new(-11.0, 8848.0).unwrap();
+        assert_eq!(to_string(&heights).unwrap(), r#"{"low":-11.0,"high":8848.0}"#);
+        reads(r#"{"low":-11,"high":8848}"#, heights);
+        let pixel = Pixel::new(9, 954_011).unwrap();
+        assert_eq!(to_string(&pixel).unwrap(), r#"{"depth":9,"number":954011}"#);
+        reads(r#"{"depth":9,"number":954011}"#, pixel);
+        let key = Key::<Hilbert>::from(Tile::new(Face::Right, 2, 1, 3).unwrap());
+        assert_eq!(to_string(&key).unwrap(), r#""39""#);
+        reads(r#""39""#, key);
+        reads(
+            r#"{"lat":0.5,"lon":-1,"height":2}"#,
+            GeodeticOffset {
+                lat: 0.5,
+                lon: -1.0,
+                height: 2.0,
+            },
+        );
         let tile = Tile::new(Face::Back, 30, 7, 1_073_741_823).unwrap();
         let text = r#"{"face":"back","level":30,"i":7,"j":1073741823}"#;
         assert_eq!(to_string(&tile).unwrap(), text);
@@ -93,6 +112,10 @@ mod serde {
         refuses::<FacePoint<f64>>(r#"{"face":"roof","x":0,"y":0}"#, "unknown variant");
         refuses::<Tile>(r#"{"face":"top","level":31,"i":0,"j":0}"#, "level 31");
         refuses::<Tile>(r#"{"face":"top","level":2,"i":0,"j":4}"#, "row 4");
+        refuses::<Heights<f64>>(r#"{"low":2,"high":1}"#, "the lowest first, got 2.0 and 1.0");
+        refuses::<Pixel>(r#"{"depth":1,"number":48}"#, "pixel 48");
+        refuses::<Key<Morton>>(r#""f""#, "0xf000000000000000 is not the key of a tile");
+        refuses::<Key<Morton>>("57", "expected the token of a tile");
         refuses::<LatLon<f64>>(r#"{"lat":0}"#, "missing field `lon`");
         refuses::<LatLon<f64>>(r#"{"lat":null,"lon":0}"#, "invalid type");
     }
@@ -123,8 +146,34 @@ mod num_traits;
 
 #[cfg(feature = "glam")]
 mod glam {
-    use ::glam::{DVec3, Vec3, Vec3A};
-    use terrella::{Direction, InvalidDirection};
+    use ::glam::{DMat3, DVec3, Mat3, Mat3A, Vec3, Vec3A};
+    use terrella::{Direction, Ecef, Enu, InvalidDirection, LocalFrame, Ned};
+
+    use super::{ENU, frame};
+
+    #[test]
+    fn positions_and_axes() {
+        let frame: LocalFrame = frame();
+        let point = frame.from_enu(ENU).unwrap();
+        let vector = DVec3::from(point);
+        assert_eq!(vector.to_array(), point.to_array());
+        assert_eq!(Ecef::try_from(vector), Ok(point));
+        assert!(Ecef::try_from(DVec3::NAN).is_err() && Ecef::try_from(Vec3::INFINITY).is_err());
+        assert_eq!(DVec3::from(ENU), DVec3::new(1.0, 2.0, 3.0));
+        assert_eq!(Enu::from(DVec3::new(1.0, 2.0, 3.0)), ENU);
+        assert_eq!(DVec3::from(Ned::from(ENU)), DVec3::new(2.0, 1.0, -3.0));
+        assert_eq!(Ned::from(Vec3A::new(2.0, 1.0, -3.0)), Ned::from(ENU.to_f32()));
+        let turned = DMat3::from(&frame) * DVec3::from(ENU);
+        let [x, y, z] = frame.vector_from_enu(ENU);
+        assert!(turned.distance(DVec3::new(x, y, z)) < 1e-15);
+
+        let frame: LocalFrame<f32> = super::frame();
+        let [x, y, z] = frame.vector_from_enu(ENU.to_f32());
+        let turned = Mat3::from(&frame) * Vec3::from(ENU.to_f32());
+        assert!(turned.distance(Vec3::new(x, y, z)) < 1e-6);
+        let turned = Mat3A::from(&frame) * Vec3A::from(ENU.to_f32());
+        assert!(turned.distance(Vec3A::new(x, y, z)) < 1e-6);
+    }
 
     #[test]
     fn to_a_vector_and_back() {
@@ -169,6 +218,121 @@ mod glam {
     }
 }
 
+/// A vector in the axes of [`frame`].
+#[cfg(any(feature = "glam", feature = "mint", feature = "nalgebra"))]
+const ENU: terrella::Enu = terrella::Enu {
+    east: 1.0,
+    north: 2.0,
+    up: 3.0,
+};
+
+#[cfg(any(feature = "glam", feature = "mint", feature = "nalgebra"))]
+fn frame<T: terrella::Real>() -> terrella::LocalFrame<T> {
+    let origin = terrella::LatLon::new(T::of(52.0), T::of(-8.0)).unwrap();
+    terrella::LocalFrame::new(terrella::Ellipsoid::WGS84, origin.into())
+}
+
+#[cfg(feature = "mint")]
+mod mint {
+    use ::mint::{ColumnMatrix3, Point3, Vector3};
+    use terrella::{Direction, Ecef, Enu, LocalFrame, Ned};
+
+    use super::{ENU, frame};
+
+    #[test]
+    fn there_and_back() {
+        let frame: LocalFrame = frame();
+        let up = frame.up();
+        let vector = Vector3::from(up);
+        assert_eq!([vector.x, vector.y, vector.z], up.to_array());
+        assert_eq!(Direction::try_from(vector), Ok(up));
+        assert!(Direction::try_from(Vector3::from([0.0, 0.0, 0.0])).is_err());
+
+        let point = frame.origin_ecef();
+        assert_eq!(<[f64; 3]>::from(Point3::from(point)), point.to_array());
+        assert_eq!(Ecef::try_from(Point3::from(point)), Ok(point));
+        assert_eq!(Ecef::try_from(Vector3::from(point)), Ok(point));
+        assert!(Ecef::try_from(Point3::from([0.0, f32::NAN, 0.0])).is_err());
+
+        assert_eq!(Vector3::from(ENU), [1.0, 2.0, 3.0].into());
+        assert_eq!(Enu::from(Vector3::from(ENU)), ENU);
+        assert_eq!(Enu::from(Point3::from(ENU)), ENU);
+        let ned = Ned::from(ENU);
+        assert_eq!(Point3::from(ned), [2.0, 1.0, -3.0].into());
+        assert_eq!(Ned::from(Point3::from(ned)), ned);
+        assert_eq!(Ned::from(Vector3::from(ned)), ned);
+
+        let columns: [[f64; 3]; 3] = ColumnMatrix3::from(&frame).into();
+        assert_eq!(columns, [frame.east(), frame.north(), up].map(Direction::to_array));
+    }
+}
+
+#[cfg(feature = "nalgebra")]
+mod nalgebra {
+    use ::nalgebra::{Matrix3, Point3, Rotation3, UnitVector3, Vector3};
+    use terrella::{Direction, Ecef, Enu, LocalFrame, Ned};
+
+    use super::{ENU, frame};
+
+    #[test]
+    fn there_and_back() {
+        let frame: LocalFrame = frame();
+        let up = frame.up();
+        assert_eq!(Direction::try_from(Vector3::from(up)), Ok(up));
+        assert_eq!(UnitVector3::from(up).into_inner(), Vector3::from(up));
+        assert!(Direction::try_from(Vector3::new(0.0, 0.0, 0.0)).is_err());
+
+        let point = frame.origin_ecef();
+        assert_eq!(Point3::from(point), Point3::new(point.x(), point.y(), point.z()));
+        assert_eq!(Ecef::try_from(Point3::from(point)), Ok(point));
+        assert_eq!(Ecef::try_from(Vector3::from(point)), Ok(point));
+        assert!(Ecef::try_from(Point3::new(0.0, f32::NAN, 0.0)).is_err());
+
+        assert_eq!(Vector3::from(ENU), Vector3::new(1.0, 2.0, 3.0));
+        assert_eq!(Enu::from(Vector3::from(ENU)), ENU);
+        assert_eq!(Enu::from(Point3::from(ENU)), ENU);
+        let ned = Ned::from(ENU);
+        assert_eq!(Point3::from(ned), Point3::new(2.0, 1.0, -3.0));
+        assert_eq!(Ned::from(Point3::from(ned)), ned);
+        assert_eq!(Ned::from(Vector3::from(ned)), ned);
+    }
+
+    #[test]
+    fn the_axes_are_a_rotation() {
+        let frame: LocalFrame = frame();
+        let matrix = Matrix3::from(&frame);
+        assert_eq!(matrix.column(2), Vector3::from(frame.up()));
+        let rotation = Rotation3::from(&frame);
+        assert_eq!(rotation.matrix(), &matrix);
+        let turned = rotation * Vector3::from(ENU);
+        assert!((turned - Vector3::from(frame.vector_from_enu(ENU))).norm() < 1e-15);
+        assert!((rotation.inverse() * turned - Vector3::from(ENU)).norm() < 1e-15);
+        assert!((matrix.determinant() - 1.0).abs() < 1e-15);
+    }
+}
+
+#[cfg(feature = "geo-types")]
+mod geo_types {
+    use ::geo_types::{Coord, Point, coord, point};
+    use terrella::{InvalidLatLon, LatLon};
+
+    #[test]
+    fn x_is_the_longitude() {
+        let oslo = LatLon::new(59.91, 10.75).unwrap();
+        assert_eq!(Coord::from(oslo), coord! { x: 10.75, y: 59.91 });
+        assert_eq!(Point::from(oslo), point! { x: 10.75, y: 59.91 });
+        assert_eq!(
+            LatLon::try_from(coord! { x: 370.75, y: 59.91 }),
+            LatLon::new(59.91, 370.75)
+        );
+        assert_eq!(LatLon::try_from(Point::from(oslo.to_f32())), Ok(oslo.to_f32()));
+        assert_eq!(
+            LatLon::try_from(point! { x: 10.75, y: 100.0 }),
+            Err(InvalidLatLon::Latitude(100.0))
+        );
+    }
+}
+
 /// Every public type and error has `defmt::Format`. Compiled, never run: formatting needs a logger for the whole program.
 #[cfg(feature = "defmt")]
 const _: () = {
@@ -181,8 +345,8 @@ const _: () = {
     use terrella::math::Polynomial;
     use terrella::terrain::*;
     use terrella::{
-        Direction, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidEllipsoid, InvalidHeight,
-        InvalidLatLon, LatLon, Latitude, Shift, Shifted,
+        Direction, Dms, DmsLatLon, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidEllipsoid,
+        InvalidHeight, InvalidLatLon, LatLon, Latitude, ParseLatLonError, Shift, Shifted,
     };
 
     const fn formats<T: Format>() {}
@@ -190,6 +354,7 @@ const _: () = {
     const fn generic<T: Format>() {
         formats::<LatLon<T>>();
         formats::<InvalidLatLon<T>>();
+        formats::<ParseLatLonError<T>>();
         formats::<Direction<T>>();
         formats::<InvalidDirection<T>>();
         formats::<Ellipsoid<T>>();
@@ -248,6 +413,9 @@ const _: () = {
     formats::<UnknownShift>();
     formats::<Face>();
     formats::<InvalidFace>();
+    formats::<UnknownFace>();
+    formats::<Dms>();
+    formats::<DmsLatLon>();
     formats::<Edge>();
     formats::<Neighbour>();
     formats::<Corner>();

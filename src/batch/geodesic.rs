@@ -19,7 +19,7 @@ pub enum InvalidProblem<T> {
     Geodesic(GeodesicError<T>),
 }
 
-impl<T: fmt::Debug> fmt::Display for InvalidProblem<T> {
+impl<T: fmt::Debug + fmt::Display> fmt::Display for InvalidProblem<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::LatLon(why) => why.fmt(f),
@@ -28,7 +28,7 @@ impl<T: fmt::Debug> fmt::Display for InvalidProblem<T> {
     }
 }
 
-impl<T: fmt::Debug> core::error::Error for InvalidProblem<T> {}
+impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidProblem<T> {}
 
 /// One of the two problems, by a method: four numbers to three.
 trait Problem<T: Real>: Copy {

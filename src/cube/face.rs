@@ -1,6 +1,8 @@
 use core::fmt;
+use core::str::FromStr;
 
 use super::{CubeProjection, Tangential};
+use crate::name::unknown;
 use crate::{Direction, Real};
 
 /// A face of the cube, numbered as by Dimitrijević, Lambers & Rančić (Table 4.1).
@@ -46,17 +48,31 @@ impl Face {
         Self::Bottom,
     ];
 
-    /// The number, 0 to 5.
+    /// Returns the number, in 0 to 5.
     #[must_use]
     #[inline(always)]
     pub const fn index(self) -> u8 {
         self as u8
     }
 
-    /// The face of a number.
+    /// Returns the name: `front`, `right`, `back`, `left`, `top` or `bottom`. [`Display`](fmt::Display) writes it, and
+    /// [`str::parse`] reads it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Front => "front",
+            Self::Right => "right",
+            Self::Back => "back",
+            Self::Left => "left",
+            Self::Top => "top",
+            Self::Bottom => "bottom",
+        }
+    }
+
+    /// Returns the face of a number in 0 to 5.
     ///
     /// # Errors
-    /// [`InvalidFace`] above 5.
+    /// [`InvalidFace`] for a number above 5.
     #[inline]
     pub const fn from_index(index: u8) -> Result<Self, InvalidFace> {
         match index {
@@ -83,9 +99,8 @@ impl Face {
         }
     }
 
-    /// The face that a ray from the centre of the cube leaves through: the axis of the largest component.
-    ///
-    /// Of equal components y goes before z, and z before x.
+    /// Returns the face through which a ray from the centre of the cube leaves: that of the largest component. Of
+    /// equal components y goes before z, and z before x.
     ///
     /// ```
     /// use terrella::{Direction, cube::Face};
@@ -117,7 +132,7 @@ impl Face {
         self as u8 >= 4
     }
 
-    /// A vector in Earth axes, in this face's frame (right, up, outward).
+    /// Rotates a vector from Earth axes to this face's frame (right, up, outward). Components are exchanged and negated.
     ///
     /// ```
     /// use terrella::cube::Face;
@@ -129,7 +144,7 @@ impl Face {
         self.pick(&TO_LOCAL, [x, y, z])
     }
 
-    /// A vector in this face's frame (right, up, outward), in Earth axes: the inverse of [`Face::to_local`].
+    /// Rotates a vector from this face's frame (right, up, outward) to Earth axes: the inverse of [`Face::to_local`].
     #[must_use]
     #[inline(always)]
     pub fn to_earth<T: Real>(self, [right, up, outward]: [T; 3]) -> [T; 3] {
@@ -149,7 +164,7 @@ impl Face {
         ]
     }
 
-    /// What lies across an edge.
+    /// Returns the face across an edge, the edge's name there, and how that face's axes are turned.
     ///
     /// ```
     /// use terrella::cube::{Edge, Face};
@@ -195,8 +210,8 @@ impl Face {
         }
     }
 
-    /// The three faces that meet at a corner of this face, each with that corner's name in its own frame: this face first, the
-    /// others counter-clockwise about the corner as seen from outside.
+    /// Returns the three faces that meet at a corner of this face, each with that corner's name in its own frame. This face is
+    /// the first; the others follow counter-clockwise about the corner as seen from outside.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};
@@ -240,10 +255,29 @@ const TO_EARTH: [[u8; 3]; 8] = [
     [0; 3],
 ];
 
-/// A number that is no face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A number of a face that is above 5.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidFace(pub u8);
+
+impl fmt::Display for Face {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Face {
+    type Err = UnknownFace;
+
+    fn from_str(name: &str) -> Result<Self, UnknownFace> {
+        let mut faces = Self::ALL.into_iter();
+        faces
+            .find(|face| face.name() == name)
+            .ok_or_else(|| UnknownFace::new(name))
+    }
+}
+
+unknown!(UnknownFace, "face", Face::ALL.iter());
 
 impl fmt::Display for InvalidFace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -254,7 +288,7 @@ impl fmt::Display for InvalidFace {
 impl core::error::Error for InvalidFace {}
 
 /// An edge of a face, counter-clockwise from x = 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(u8)]
 pub enum Edge {
@@ -284,11 +318,11 @@ impl Edge {
     }
 }
 
-/// What lies across an edge of a face.
+/// The face across an edge of a face.
 ///
-/// Where both faces have linear coordinates (u, v) ∈ [−1, 1]², the point (u, v) beyond an edge whose outward unit vector is e
-/// is, in the neighbour's coordinates, (u, v) − 2e turned counter-clockwise by `turns` quarter circles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// For linear coordinates (u, v) ∈ [−1, 1]² on both faces: a point (u, v) beyond the edge has, on the neighbour, the
+/// coordinates (u, v) − 2e turned counter-clockwise by `turns` quarter circles, where e is the edge's outward unit vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Neighbour {
     /// The face across the edge.
@@ -300,7 +334,7 @@ pub struct Neighbour {
 }
 
 /// A corner of a face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(u8)]
 pub enum Corner {
@@ -329,7 +363,7 @@ impl Corner {
         }
     }
 
-    /// The edge that ends and the edge that begins at this corner, going round counter-clockwise.
+    /// Returns the edge that ends and the edge that begins at this corner, going round counter-clockwise.
     #[must_use]
     pub const fn edges(self) -> (Edge, Edge) {
         match self {

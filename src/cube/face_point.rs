@@ -3,7 +3,7 @@ use core::fmt;
 use super::Face;
 use crate::Real;
 
-/// A point of a face: x to the right and y up, both in [−1, 1].
+/// A point on a face of the cube: x to the right and y upward, both in [−1, 1].
 ///
 /// ```
 /// use terrella::cube::{Face, FacePoint};
@@ -14,14 +14,14 @@ use crate::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct FacePoint<T> {
+pub struct FacePoint<T = f64> {
     face: Face,
     x: T,
     y: T,
 }
 
 impl<T: Real> FacePoint<T> {
-    /// From a face and coordinates.
+    /// Creates the point of a face with coordinates in [−1, 1].
     ///
     /// # Errors
     /// [`InvalidFacePoint`] if a coordinate is outside [−1, 1] or NaN.
@@ -40,29 +40,29 @@ impl<T: Real> FacePoint<T> {
         Self { face, x, y }
     }
 
-    /// The face.
+    /// Returns the face.
     #[must_use]
     #[inline(always)]
-    pub fn face(self) -> Face {
+    pub const fn face(self) -> Face {
         self.face
     }
 
-    /// The coordinate to the right, in [−1, 1].
+    /// Returns the coordinate to the right, in [−1, 1].
     #[must_use]
     #[inline(always)]
-    pub fn x(self) -> T {
+    pub const fn x(self) -> T {
         self.x
     }
 
-    /// The coordinate upward, in [−1, 1].
+    /// Returns the coordinate upward, in [−1, 1].
     #[must_use]
     #[inline(always)]
-    pub fn y(self) -> T {
+    pub const fn y(self) -> T {
         self.y
     }
 }
 
-/// A coordinate that is not on the face.
+/// Coordinates of which one is outside [−1, 1] or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidFacePoint<T> {
@@ -70,6 +70,33 @@ pub struct InvalidFacePoint<T> {
     pub x: T,
     /// The coordinate upward.
     pub y: T,
+}
+
+impl<T: fmt::Display> fmt::Display for FacePoint<T> {
+    /// Writes the face and the coordinates, each with the formatter's options: `front (0.25, -1)`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.face.name())?;
+        f.write_str(" (")?;
+        self.x.fmt(f)?;
+        f.write_str(", ")?;
+        self.y.fmt(f)?;
+        f.write_str(")")
+    }
+}
+
+impl From<FacePoint<f32>> for FacePoint {
+    /// The same face and coordinates: every `f32` is an `f64`.
+    fn from(point: FacePoint<f32>) -> Self {
+        Self::within(point.face, point.x.into(), point.y.into())
+    }
+}
+
+impl FacePoint {
+    /// Returns the point with coordinates rounded to the nearest `f32`.
+    #[must_use]
+    pub const fn to_f32(self) -> FacePoint<f32> {
+        FacePoint::within(self.face, self.x as f32, self.y as f32)
+    }
 }
 
 impl<T: fmt::Debug> fmt::Display for InvalidFacePoint<T> {

@@ -6,7 +6,7 @@ mod map;
 mod numbering;
 mod projection;
 
-pub use face::{Corner, Edge, Face, InvalidFace, Neighbour};
+pub use face::{Corner, Edge, Face, InvalidFace, Neighbour, UnknownFace};
 pub use face_point::{FacePoint, InvalidFacePoint};
 pub use map::CubeMap;
 pub use numbering::{InvalidNumbered, Numbering};

@@ -2,8 +2,8 @@ use super::{Face, FacePoint, InvalidFace};
 use crate::Real;
 use crate::cube::InvalidFacePoint;
 
-/// How others number the faces and lay their axes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// The face numbers and axes of another system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Numbering {
@@ -61,7 +61,7 @@ impl Numbering {
         turned_square([i, up], last, 4 - self.turns(face))
     }
 
-    /// This numbering's number of a face.
+    /// Returns this numbering's number of a face, in 0 to 5.
     ///
     /// ```
     /// use terrella::cube::{Face, Numbering};
@@ -74,18 +74,22 @@ impl Numbering {
         self.entry(face).0
     }
 
-    /// The face of a number.
+    /// Returns the face of a number in 0 to 5.
     ///
     /// # Errors
-    /// [`InvalidFace`] above 5.
-    pub fn face(self, number: u8) -> Result<Face, InvalidFace> {
-        Face::ALL
-            .into_iter()
-            .find(|&face| self.number(face) == number)
-            .ok_or(InvalidFace(number))
+    /// [`InvalidFace`] for a number above 5.
+    pub const fn face(self, number: u8) -> Result<Face, InvalidFace> {
+        let mut faces: &[Face] = &Face::ALL;
+        while let [face, rest @ ..] = faces {
+            if self.number(*face) == number {
+                return Ok(*face);
+            }
+            faces = rest;
+        }
+        Err(InvalidFace(number))
     }
 
-    /// A point in this numbering: the number of the face, and the coordinates in [−1, 1] along its axes.
+    /// Returns a point in this numbering: the number of the face, and the coordinates in [−1, 1] along its axes.
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint, Numbering};
@@ -100,7 +104,7 @@ impl Numbering {
         (number, x, if matches!(self, Self::OpenGl) { -y } else { y })
     }
 
-    /// The point of a face's number and coordinates in [−1, 1] in this numbering.
+    /// Returns the point of a face's number and of coordinates in [−1, 1] along its axes, both of this numbering.
     ///
     /// # Errors
     /// [`InvalidNumbered`] for a number above 5 or a coordinate outside [−1, 1].
@@ -134,9 +138,9 @@ const fn turned_square([i, j]: [u32; 2], last: u32, quarters: u8) -> [u32; 2] {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidNumbered<T> {
-    /// No face has the number.
+    /// The number of the face is above 5.
     Face(InvalidFace),
-    /// A coordinate is not on the face.
+    /// A coordinate is outside [−1, 1].
     Point(InvalidFacePoint<T>),
 }
 

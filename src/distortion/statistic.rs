@@ -67,7 +67,8 @@ impl<T: Real> Statistic<T> {
         let infinity = T::of(f64::INFINITY);
         let [mut deviations, mut squares] = [[T::ZERO; LANES]; 2];
         let (mut least, mut most) = ([infinity; LANES], [-infinity; LANES]);
-        let (groups, rest) = values.as_chunks::<LANES>();
+        let groups = values.chunks_exact(LANES);
+        let (grouped, rest) = (values.len() - groups.remainder().len(), groups.remainder());
         for group in groups {
             let lanes = deviations.iter_mut().zip(&mut squares).zip(&mut least).zip(&mut most);
             for ((((deviations, squares), least), most), &value) in lanes.zip(group) {
@@ -79,7 +80,7 @@ impl<T: Real> Statistic<T> {
             }
         }
         let sum = |lanes: [T; LANES]| lanes.into_iter().fold(T::ZERO, |sum, lane| sum + lane);
-        self.count += (groups.len() * LANES) as u64;
+        self.count += grouped as u64;
         self.deviations.add(sum(deviations));
         self.squares.add(sum(squares));
 
@@ -90,7 +91,7 @@ impl<T: Real> Statistic<T> {
                 self.extend(Extreme { value, at: at(x) });
             }
         }
-        for (&x, &value) in xs.iter().skip(groups.len() * LANES).zip(rest) {
+        for (&x, &value) in xs.iter().skip(grouped).zip(rest) {
             self.include(at(x), value);
         }
     }

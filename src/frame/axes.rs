@@ -2,11 +2,11 @@ use core::fmt;
 
 use crate::Real;
 use crate::math::{max, select, sin_cos_degrees};
-use crate::position::angle_degrees;
+use crate::position::{angle_degrees, write_between};
 
-/// East, north and up from an origin, in metres; or the components of any vector in these axes.
+/// East, north and up from an origin, in metres; or the components of any vector along these axes.
 ///
-/// Up is along the ellipsoid's normal at the origin, outward.
+/// Up is the outward normal of the ellipsoid at the origin. [`LocalFrame`](crate::LocalFrame) is the origin with its axes.
 ///
 /// ```
 /// use terrella::{Aer, Enu};
@@ -17,16 +17,16 @@ use crate::position::angle_degrees;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Enu<T> {
-    /// Toward the east.
+pub struct Enu<T = f64> {
+    /// Eastward, in metres.
     pub east: T,
-    /// Toward the north.
+    /// Northward, in metres.
     pub north: T,
-    /// Away from the ellipsoid.
+    /// Upward, in metres.
     pub up: T,
 }
 
-/// North, east and down from an origin, in metres: the axes of aircraft; or the components of any vector in these axes.
+/// North, east and down from an origin, in metres, as in aviation; or the components of any vector along these axes.
 ///
 /// ```
 /// use terrella::{Enu, Ned};
@@ -36,18 +36,18 @@ pub struct Enu<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Ned<T> {
-    /// Toward the north.
+pub struct Ned<T = f64> {
+    /// Northward, in metres.
     pub north: T,
-    /// Toward the east.
+    /// Eastward, in metres.
     pub east: T,
-    /// Into the ellipsoid.
+    /// Downward, in metres.
     pub down: T,
 }
 
-/// Azimuth, elevation and range from an origin: what an antenna points by.
+/// Azimuth, elevation and range from an origin, as an antenna is pointed.
 ///
-/// Worst error of the way from [`Enu`]: 1 ulp of the azimuth, 2 ulp of the elevation, 1.5 ulp of the range.
+/// Worst error of the conversion from [`Enu`]: 1 ulp of the azimuth, 2 ulp of the elevation, 1.5 ulp of the range.
 ///
 /// ```
 /// use terrella::{Aer, Enu};
@@ -60,24 +60,56 @@ pub struct Ned<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Aer<T> {
-    /// Clockwise from north in degrees, in [−180, 180]; 0 straight up, straight down and at the origin.
+pub struct Aer<T = f64> {
+    /// Azimuth clockwise from north in degrees, in [−180, 180]; 0 straight up, straight down and at the origin.
     pub azimuth: T,
-    /// Above the plane of east and north, in degrees, in [−90, 90]; 0 at the origin.
+    /// Angle above the plane of east and north in degrees, in [−90, 90]; 0 at the origin.
     pub elevation: T,
-    /// Distance in metres.
+    /// Distance from the origin in metres.
     pub range: T,
 }
 
-/// A vector east, north and up that has no place: a component is infinite or not a number.
+impl<T: fmt::Display> fmt::Display for Enu<T> {
+    /// Writes the components, each with the formatter's options: `east 30, north 0, up 40 m`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { east, north, up } = self;
+        write_between(f, ["east ", ", north ", ", up ", " m"], [east, north, up])
+    }
+}
+
+impl<T: fmt::Display> fmt::Display for Ned<T> {
+    /// Writes the components, each with the formatter's options: `north 0, east 30, down -40 m`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { north, east, down } = self;
+        write_between(f, ["north ", ", east ", ", down ", " m"], [north, east, down])
+    }
+}
+
+impl<T: fmt::Display> fmt::Display for Aer<T> {
+    /// Writes the three numbers, each with the formatter's options: `azimuth 90°, elevation 53.1°, range 50 m`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            azimuth,
+            elevation,
+            range,
+        } = self;
+        write_between(
+            f,
+            ["azimuth ", "°, elevation ", "°, range ", " m"],
+            [azimuth, elevation, range],
+        )
+    }
+}
+
+/// A vector east, north and up of which a component is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidEnu<T> {
-    /// Toward the east.
+    /// Eastward.
     pub east: T,
-    /// Toward the north.
+    /// Northward.
     pub north: T,
-    /// Away from the ellipsoid.
+    /// Upward.
     pub up: T,
 }
 

@@ -1,7 +1,8 @@
-//! [`LocalFrame`]: east, north and up about an origin, what is seen from there, and where that is.
+//! [`LocalFrame`]: the axes east, north and up about an origin, and positions as [`Enu`], [`Ned`] and [`Aer`] in them.
 
 mod axes;
 mod offset;
+mod precision;
 
 pub use axes::{Aer, Enu, InvalidEnu, Ned};
 pub use offset::GeodeticOffset;
@@ -10,9 +11,12 @@ use offset::{LongOffset, long_sin_cos};
 use crate::math::{either, select, sin_cos_degrees, sum};
 use crate::{Direction, Ecef, Ellipsoid, Geodetic, InvalidEcef, Real};
 
-/// The axes east, north and up (along the ellipsoid's normal) about an origin, built once.
+/// A local tangent frame: the axes east, north and up about an origin.
 ///
-/// At a pole, east and north are those of the meridian that the origin's longitude names.
+/// Up is the outward normal of the ellipsoid. At a pole, north and east belong to the meridian of the origin's longitude.
+///
+/// Positions come as [`Geodetic`] or as [`Ecef`], and go back to either. The way through [`Geodetic`] loses no digits to the
+/// size of the Earth: prefer it where positions are at hand as such.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Geodetic, LatLon, LocalFrame};
@@ -27,9 +31,10 @@ use crate::{Direction, Ecef, Ellipsoid, Geodetic, InvalidEcef, Real};
 /// assert!((frame.to_aer(ecef).range - aer.range).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias("ENU", "NED", "LocalCartesian", "topocentric"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct LocalFrame<T> {
+pub struct LocalFrame<T = f64> {
     ellipsoid: Ellipsoid<T>,
     origin: Geodetic<T>,
     ecef: Ecef<T>,
@@ -42,7 +47,7 @@ pub struct LocalFrame<T> {
 }
 
 impl<T: Real> LocalFrame<T> {
-    /// The frame about an origin.
+    /// Creates the frame about an origin on, above or below an ellipsoid.
     #[must_use]
     pub fn new(ellipsoid: Ellipsoid<T>, origin: Geodetic<T>) -> Self {
         let [(sin, cos), rests] = long_sin_cos(origin.lat());
@@ -59,44 +64,45 @@ impl<T: Real> LocalFrame<T> {
         }
     }
 
-    /// The ellipsoid.
+    /// Returns the ellipsoid.
     #[must_use]
-    pub fn ellipsoid(&self) -> Ellipsoid<T> {
+    pub const fn ellipsoid(&self) -> Ellipsoid<T> {
         self.ellipsoid
     }
 
-    /// The origin.
+    /// Returns the origin.
     #[must_use]
-    pub fn origin(&self) -> Geodetic<T> {
+    pub const fn origin(&self) -> Geodetic<T> {
         self.origin
     }
 
-    /// The origin in Earth axes.
+    /// Returns the origin in Earth axes.
     #[must_use]
-    pub fn origin_ecef(&self) -> Ecef<T> {
+    pub const fn origin_ecef(&self) -> Ecef<T> {
         self.ecef
     }
 
-    /// East in Earth axes.
+    /// Returns the unit vector toward the east, in Earth axes.
     #[must_use]
     pub fn east(&self) -> Direction<T> {
         Direction::within(-self.sin_lon, self.cos_lon, T::ZERO)
     }
 
-    /// North in Earth axes.
+    /// Returns the unit vector toward the north, in Earth axes.
     #[must_use]
     pub fn north(&self) -> Direction<T> {
         Direction::within(-self.sin * self.cos_lon, -self.sin * self.sin_lon, self.cos)
     }
 
-    /// Up in Earth axes.
+    /// Returns the unit vector upward, in Earth axes.
     #[must_use]
     pub fn up(&self) -> Direction<T> {
         Direction::within(self.cos * self.cos_lon, self.cos * self.sin_lon, self.sin)
     }
 
-    /// A vector of Earth axes (a velocity, a line of sight) in this frame's: turned, not moved. Worst error 5·10⁻¹⁶
-    /// (`f64`), 2.5·10⁻⁷ (`f32`) of its length.
+    /// Rotates a vector, such as a velocity or a line of sight, from Earth axes to this frame's. The origin plays no part.
+    ///
+    /// Worst error 5·10⁻¹⁶ (`f64`), 2.5·10⁻⁷ (`f32`) of the vector's length.
     ///
     /// ```
     /// use terrella::{Aer, Direction, Ellipsoid, Geodetic, LatLon, LocalFrame};
@@ -107,6 +113,7 @@ impl<T: Real> LocalFrame<T> {
     /// assert_eq!((aer.azimuth, aer.elevation), (0.0, 60.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias("ecef2enuv", "uvw2enu"))]
     #[must_use]
     #[inline]
     pub fn vector_to_enu(&self, [x, y, z]: [T; 3]) -> Enu<T> {
@@ -118,7 +125,9 @@ impl<T: Real> LocalFrame<T> {
         }
     }
 
-    /// A vector of this frame in Earth axes: turned, not moved. [`Ned`] and [`Aer`] go through `into()`.
+    /// Rotates a vector from this frame's axes to Earth axes: the inverse of [`vector_to_enu`](Self::vector_to_enu). For
+    /// [`Ned`] and [`Aer`], use `into()`.
+    #[doc(alias("enu2ecefv", "enu2uvw"))]
     #[must_use]
     #[inline]
     pub fn vector_from_enu(&self, enu: Enu<T>) -> [T; 3] {
@@ -130,10 +139,11 @@ impl<T: Real> LocalFrame<T> {
         ]
     }
 
-    /// A point in Earth axes, seen from the origin.
+    /// Returns a point of Earth axes relative to the origin, as east, north, up.
     ///
-    /// Worst error on the Earth: that of the two positions, 7 nm (`f64`), 2 m (`f32`). A position that is at hand as
-    /// [`Geodetic`] is better seen with [`Self::geodetic_to_enu`].
+    /// Worst error on the Earth: that of the two positions, 7 nm (`f64`), 2 m (`f32`). For a position that is at hand as
+    /// [`Geodetic`], [`geodetic_to_enu`](Self::geodetic_to_enu) has less.
+    #[doc(alias = "ecef2enu")]
     #[must_use]
     #[inline]
     pub fn to_enu(&self, point: Ecef<T>) -> Enu<T> {
@@ -145,6 +155,7 @@ impl<T: Real> LocalFrame<T> {
     }
 
     /// [`Self::to_enu`] as north, east, down.
+    #[doc(alias = "ecef2ned")]
     #[must_use]
     #[inline]
     pub fn to_ned(&self, point: Ecef<T>) -> Ned<T> {
@@ -152,16 +163,18 @@ impl<T: Real> LocalFrame<T> {
     }
 
     /// [`Self::to_enu`] as azimuth, elevation and range.
+    #[doc(alias = "ecef2aer")]
     #[must_use]
     #[inline]
     pub fn to_aer(&self, point: Ecef<T>) -> Aer<T> {
         self.to_enu(point).into()
     }
 
-    /// The point in Earth axes that is so far east, north and up of the origin.
+    /// Returns the point, in Earth axes, that is so far east, north and up of the origin.
     ///
     /// # Errors
     /// [`InvalidEcef`] if the point is not finite.
+    #[doc(alias = "enu2ecef")]
     #[inline]
     pub fn from_enu(&self, enu: Enu<T>) -> Result<Ecef<T>, InvalidEcef<T>> {
         let [x, y, z] = self.vector_from_enu(enu);
@@ -172,6 +185,7 @@ impl<T: Real> LocalFrame<T> {
     ///
     /// # Errors
     /// [`InvalidEcef`] if the point is not finite.
+    #[doc(alias = "ned2ecef")]
     #[inline]
     pub fn from_ned(&self, ned: Ned<T>) -> Result<Ecef<T>, InvalidEcef<T>> {
         self.from_enu(ned.into())
@@ -181,15 +195,17 @@ impl<T: Real> LocalFrame<T> {
     ///
     /// # Errors
     /// [`InvalidEcef`] if the point is not finite.
+    #[doc(alias = "aer2ecef")]
     #[inline]
     pub fn from_aer(&self, aer: Aer<T>) -> Result<Ecef<T>, InvalidEcef<T>> {
         self.from_enu(aer.into())
     }
 
-    /// A geodetic position, seen from the origin, without the cancellation of Earth axes: from differences of angles and heights.
+    /// Returns a geodetic position relative to the origin, as east, north, up. It is computed from differences of angles and
+    /// heights, without the cancellation of Earth axes.
     ///
     /// Worst error 6·10⁻¹⁶ (`f64`), 10⁻⁷ (`f32`) of the distance, at any distance: within 10 km, 5 pm and 0.8
-    /// mm. (An `f32` latitude has steps of up to 0.4 m; they are the input's own.)
+    /// mm. An `f32` latitude has steps of up to 0.4 m on the Earth, which this does not count.
     ///
     /// ```
     /// use terrella::{Ellipsoid, Geodetic, LatLon, LocalFrame};
@@ -199,6 +215,7 @@ impl<T: Real> LocalFrame<T> {
     /// assert_eq!(frame.geodetic_to_enu(drone).up, 0.125);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "geodetic2enu")]
     #[must_use]
     #[inline]
     pub fn geodetic_to_enu(&self, position: Geodetic<T>) -> Enu<T> {
@@ -217,6 +234,7 @@ impl<T: Real> LocalFrame<T> {
     }
 
     /// [`Self::geodetic_to_enu`] as north, east, down.
+    #[doc(alias = "geodetic2ned")]
     #[must_use]
     #[inline]
     pub fn geodetic_to_ned(&self, position: Geodetic<T>) -> Ned<T> {
@@ -224,6 +242,7 @@ impl<T: Real> LocalFrame<T> {
     }
 
     /// [`Self::geodetic_to_enu`] as azimuth, elevation and range.
+    #[doc(alias = "geodetic2aer")]
     #[must_use]
     #[inline]
     pub fn geodetic_to_aer(&self, position: Geodetic<T>) -> Aer<T> {

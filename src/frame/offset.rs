@@ -7,11 +7,10 @@ use crate::math::{
 use crate::position::angle_degrees;
 use crate::{Geodetic, LatLon, Real};
 
-/// How far a geodetic position is from an origin: in latitude and longitude, in degrees, and in height, in
-/// metres.
+/// The difference of a geodetic position from an origin: latitude and longitude in degrees, height in metres.
 ///
-/// Single precision rounds a latitude by up to 0.42 m and a longitude by up to 0.85 m on the Earth, but a
-/// difference from an origin by 2⁻²⁴ of itself: by 0.6 mm at 10 km.
+/// Single precision rounds a latitude by up to 0.42 m and a longitude by up to 0.85 m on the Earth. It rounds a
+/// difference from an origin by 2⁻²⁴ of the difference only: by 0.6 mm at 10 km.
 /// [`Plane::local`](crate::geodesic::Plane::local) and [`Scene::local`](crate::scene::Scene::local) take such
 /// differences.
 ///
@@ -29,7 +28,7 @@ use crate::{Geodetic, LatLon, Real};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct GeodeticOffset<T> {
+pub struct GeodeticOffset<T = f64> {
     /// Northward, in degrees, in [−180, 180].
     pub lat: T,
     /// Eastward, in degrees, in [−180, 180].
@@ -50,20 +49,20 @@ pub(super) struct LongOffset<T> {
 }
 
 impl<T: Real> LocalFrame<T> {
-    /// The position that is so far east, north and up of the origin, without the rounding of Earth axes.
+    /// Returns the geodetic position that is so far east, north and up of the origin. It is computed without Earth axes,
+    /// whose rounding is that of the Earth's radius.
     ///
-    /// It is the nearest that the scalar has, but for 4·10⁻¹⁶ (`f64`), 7·10⁻⁸ (`f32`) of the distance: within
-    /// 10 km on the Earth, 2 pm and 0.25 mm. That nearest one may be 0.8 nm (`f64`), 0.42 m (`f32`) away by
-    /// its latitude and twice as far by its longitude; [`enu_to_offset`](Self::enu_to_offset) has not that
-    /// rounding.
+    /// Worst error 4·10⁻¹⁶ (`f64`), 7·10⁻⁸ (`f32`) of the distance: within 10 km on the Earth, 2 pm and 0.25 mm. To that
+    /// comes the rounding of the result to the scalar, up to 0.8 nm (`f64`), 0.42 m (`f32`) of latitude and twice as much
+    /// of longitude; [`enu_to_offset`](Self::enu_to_offset) returns the difference from the origin, without that rounding.
     ///
-    /// So it is at any distance, over a pole, over ±180° and on the other side of the planet, for an origin
-    /// and a point above half of a from where their normals meet the axis (on the Earth, above −3000 km) and
-    /// within 1000 a, and |e²| ≤ ¼. Deeper and farther, and for other ellipsoids, the way is through Earth
-    /// axes and has the errors of [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic).
+    /// This holds at any distance: over a pole, across ±180° and on the other side of the planet. It holds for an origin
+    /// and a point farther than a/2 from where their normals meet the axis (on the Earth, above −3000 km) and nearer
+    /// than 1000 a, on ellipsoids with |e²| ≤ ¼. Outside of this, the position is computed through Earth axes and has the
+    /// errors of [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic).
     ///
-    /// The meridian plane of the point is found from that of the origin, then the angle between the two
-    /// normals by Newton's method, and the last step keeps what rounding loses.
+    /// The meridian plane of the point is found from that of the origin, then the angle between the two normals by
+    /// Newton's method. The last step adds what rounding lost.
     ///
     /// ```
     /// use terrella::{Ellipsoid, Enu, Geodetic, LatLon, LocalFrame};
@@ -76,6 +75,7 @@ impl<T: Real> LocalFrame<T> {
     ///
     /// # Errors
     /// [`InvalidEnu`] if a component is infinite or NaN, or the point is beyond the scalar's largest numbers.
+    #[doc(alias = "enu2geodetic")]
     pub fn enu_to_geodetic(&self, enu: Enu<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
         let Some(offset) = self.long_offset(enu) else {
             return self.through_earth_axes(enu);
@@ -102,6 +102,7 @@ impl<T: Real> LocalFrame<T> {
     ///
     /// # Errors
     /// [`InvalidEnu`] if a component is infinite or NaN.
+    #[doc(alias = "ned2geodetic")]
     #[inline]
     pub fn ned_to_geodetic(&self, ned: Ned<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
         self.enu_to_geodetic(ned.into())
@@ -112,18 +113,19 @@ impl<T: Real> LocalFrame<T> {
     /// # Errors
     /// [`InvalidEnu`] if azimuth, elevation or range is infinite or NaN, with the components that come of
     /// them.
+    #[doc(alias = "aer2geodetic")]
     #[inline]
     pub fn aer_to_geodetic(&self, aer: Aer<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
         self.enu_to_geodetic(aer.into())
     }
 
-    /// The position that is so far east, north and up of the origin, by its differences from the origin:
+    /// Returns the position that is so far east, north and up of the origin, as a difference from the origin:
     /// [`enu_to_geodetic`](Self::enu_to_geodetic) without the rounding of a latitude and a longitude.
     ///
-    /// Worst error 6·10⁻¹⁶ (`f64`), 1.7·10⁻⁷ (`f32`) of the distance, at any distance: the rounding of the
-    /// three numbers, of which that of a longitude's difference near 180°, next to a pole, is the largest.
-    /// Vectors shorter than 10⁻¹⁵⁰ m (10⁻¹⁶ m), whose squares have no digits, are off by no more than that.
-    /// Deep points, far ones and other ellipsoids are as in [`enu_to_geodetic`](Self::enu_to_geodetic).
+    /// Worst error 6·10⁻¹⁶ (`f64`), 1.7·10⁻⁷ (`f32`) of the distance, at any distance. It is the rounding of the three
+    /// numbers; a difference of longitude near 180°, next to a pole, has the largest. Vectors shorter than 10⁻¹⁵⁰ m (`f64`),
+    /// 10⁻¹⁶ m (`f32`) have an error of that size. Deep points, far points and other ellipsoids are as in
+    /// [`enu_to_geodetic`](Self::enu_to_geodetic).
     ///
     /// # Errors
     /// [`InvalidEnu`] if a component is infinite or NaN, or the point is beyond the scalar's largest numbers.
@@ -143,8 +145,8 @@ impl<T: Real> LocalFrame<T> {
         })
     }
 
-    /// A position by its differences from the origin, seen from there. [`Ned`] and [`Aer`] go through
-    /// `into()`.
+    /// Returns a position relative to the origin as east, north, up, from its difference in latitude, longitude and
+    /// height. For [`Ned`] and [`Aer`], use `into()`.
     ///
     /// Worst error 6·10⁻¹⁶ (`f64`), 10⁻⁷ (`f32`) of the distance, at any distance: within 10 km, 5 pm and
     /// 0.8 mm.

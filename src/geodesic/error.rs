@@ -42,16 +42,16 @@ impl<T: Real> GeodesicError<T> {
     }
 }
 
-impl<T: fmt::Debug> fmt::Display for GeodesicError<T> {
+impl<T: fmt::Debug + fmt::Display> fmt::Display for GeodesicError<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Azimuth(azimuth) => write!(f, "azimuth {azimuth:?} is not finite"),
             Self::Distance(distance) => write!(f, "distance {distance:?} is not finite"),
             Self::TooFar { distance, limit } => write!(f, "distance {distance:?} is longer than {limit:?} metres"),
             Self::Fraction(fraction) => write!(f, "fraction {fraction:?} makes no finite distance"),
-            Self::NotConverged(from, to) => write!(f, "no convergence from {from:?} to {to:?}"),
+            Self::NotConverged(from, to) => write!(f, "no convergence from {from} to {to}"),
         }
     }
 }
 
-impl<T: fmt::Debug> core::error::Error for GeodesicError<T> {}
+impl<T: fmt::Debug + fmt::Display> core::error::Error for GeodesicError<T> {}

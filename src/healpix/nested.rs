@@ -23,6 +23,7 @@ use crate::{LatLon, Real};
 #[doc(alias = "HEALPix")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pixel {
     depth: u8,
     number: u64,
@@ -79,7 +80,7 @@ impl Pixel {
         } = facet;
         let last = (1_u32 << depth) - 1;
         let across = T::whole(1 << depth);
-        let index = |share: T| (share * across).floor().cast_unsigned().min(last);
+        let index = |share: T| ((share * across).floor() as u32).min(last);
         let (zero, half) = (T::ZERO, T::of(0.5));
         let north = height > zero;
         // Two lines between base pixels cross in the middle of the quarter on the equator; one rises to the
@@ -191,7 +192,7 @@ impl Pixel {
 }
 
 /// Why there is no such [`Pixel`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidPixel {
     /// The depth is above 29.

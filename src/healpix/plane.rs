@@ -137,7 +137,7 @@ pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>>
     Ok(LatLon::within(atan2_degrees(sin.copysign(y), cos), lon))
 }
 
-/// A point that is not of HEALPix's plane.
+/// A point outside of HEALPix's plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OutsidePlane<T> {
@@ -149,7 +149,7 @@ pub struct OutsidePlane<T> {
 
 impl<T: fmt::Debug> fmt::Display for OutsidePlane<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "({:?}, {:?}) is no point of HEALPix's plane", self.x, self.y)
+        write!(f, "({:?}, {:?}) is not on HEALPix's plane", self.x, self.y)
     }
 }
 

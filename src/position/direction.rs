@@ -1,10 +1,10 @@
 use core::fmt;
 
-use super::LatLon;
+use super::{LatLon, write_between};
 use crate::Real;
 use crate::math::{atan2_degrees, max, select};
 
-/// A unit vector in Earth axes: x through (0° N, 0° E), y through (0° N, 90° E), z through the north pole.
+/// A unit vector in Earth axes: x toward (0° N, 0° E), y toward (0° N, 90° E), z toward the north pole.
 ///
 /// ```
 /// use terrella::Direction;
@@ -12,22 +12,24 @@ use crate::math::{atan2_degrees, max, select};
 /// assert_eq!(d.to_array(), [0.6, 0.0, 0.8]);
 /// # Ok::<(), terrella::InvalidDirection<f64>>(())
 /// ```
+#[doc(alias("nvector", "n-vector"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Direction<T> {
+pub struct Direction<T = f64> {
     x: T,
     y: T,
     z: T,
 }
 
 impl<T: Real> Direction<T> {
-    /// The direction of a vector of any length, from the smallest number to the largest.
+    /// Creates the direction of a vector of any length: even of subnormal numbers, or of the largest.
     ///
-    /// A vector that is a unit vector but for rounding is kept as it is, so that a direction's own components give it back.
+    /// A vector that is a unit vector but for rounding is kept as it is, so that the components of a direction create the
+    /// same direction again.
     ///
     /// # Errors
-    /// [`InvalidDirection`] if the vector is zero or a component is infinite or NaN.
+    /// [`InvalidDirection`] if the vector is zero, or a component is infinite or NaN.
     #[inline(always)]
     pub fn new(x: T, y: T, z: T) -> Result<Self, InvalidDirection<T>> {
         if Self::is_unit(x, y, z) {
@@ -85,37 +87,37 @@ impl<T: Real> Direction<T> {
         Self::within(cos_lat * cos_lon, cos_lat * sin_lon, sin_lat)
     }
 
-    /// The component toward 0° N, 0° E.
+    /// Returns the component toward 0° N, 0° E.
     #[must_use]
     #[inline(always)]
-    pub fn x(self) -> T {
+    pub const fn x(self) -> T {
         self.x
     }
 
-    /// The component toward 0° N, 90° E.
+    /// Returns the component toward 0° N, 90° E.
     #[must_use]
     #[inline(always)]
-    pub fn y(self) -> T {
+    pub const fn y(self) -> T {
         self.y
     }
 
-    /// The component toward the north pole.
+    /// Returns the component toward the north pole.
     #[must_use]
     #[inline(always)]
-    pub fn z(self) -> T {
+    pub const fn z(self) -> T {
         self.z
     }
 
-    /// The components x, y, z.
+    /// Returns the components x, y, z.
     #[must_use]
     #[inline(always)]
-    pub fn to_array(self) -> [T; 3] {
+    pub const fn to_array(self) -> [T; 3] {
         [self.x, self.y, self.z]
     }
 
-    /// The latitude and longitude of this point of the unit sphere; the longitude of a pole is 0 or ±180.
+    /// Returns the latitude and longitude of this point of the unit sphere; the longitude of a pole is 0 or ±180.
     ///
-    /// Worst error 2.3 ulp of the latitude, 0.85 ulp of the longitude, next to the poles too.
+    /// Worst error 2.3 ulp of the latitude and 0.85 ulp of the longitude, next to the poles, too.
     ///
     /// ```
     /// # use terrella::{Direction, LatLon};
@@ -138,6 +140,13 @@ impl<T: Real> Direction<T> {
     #[inline(always)]
     pub(crate) fn lon(self) -> T {
         atan2_degrees(self.y, self.x)
+    }
+}
+
+impl<T: fmt::Display> fmt::Display for Direction<T> {
+    /// Writes the components, each with the formatter's options: `(0.6, 0, 0.8)`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_between(f, ["(", ", ", ", ", ")"], [&self.x, &self.y, &self.z])
     }
 }
 

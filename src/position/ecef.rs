@@ -1,9 +1,13 @@
 use core::fmt;
 
+use super::write_between;
 use crate::Real;
 
-/// A point in Earth axes (Earth-centred, Earth-fixed), in metres: x through (0° N, 0° E), y through (0° N, 90° E), z
-/// through the north pole.
+/// A point in Earth-centred, Earth-fixed axes, in metres: x toward (0° N, 0° E), y toward (0° N, 90° E), z toward the
+/// north pole.
+///
+/// [`Ellipsoid::to_ecef`](crate::Ellipsoid::to_ecef) and [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic)
+/// convert between this and [`Geodetic`](crate::Geodetic).
 ///
 /// ```
 /// use terrella::Ecef;
@@ -11,17 +15,18 @@ use crate::Real;
 /// assert_eq!(pole.to_array(), [0.0, 0.0, 6_356_752.0]);
 /// # Ok::<(), terrella::InvalidEcef<f64>>(())
 /// ```
+#[doc(alias("ECEF", "geocentric"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Ecef<T> {
+pub struct Ecef<T = f64> {
     x: T,
     y: T,
     z: T,
 }
 
 impl<T: Real> Ecef<T> {
-    /// From the three coordinates in metres; the geocentre is a point like any other.
+    /// Creates the point of three coordinates in metres. All of them may be 0: the Earth's centre.
     ///
     /// # Errors
     /// [`InvalidEcef`] if a coordinate is infinite or NaN.
@@ -39,36 +44,43 @@ impl<T: Real> Ecef<T> {
         Self { x, y, z }
     }
 
-    /// Toward 0° N, 0° E, in metres.
+    /// Returns the coordinate toward 0° N, 0° E, in metres.
     #[must_use]
     #[inline(always)]
-    pub fn x(self) -> T {
+    pub const fn x(self) -> T {
         self.x
     }
 
-    /// Toward 0° N, 90° E, in metres.
+    /// Returns the coordinate toward 0° N, 90° E, in metres.
     #[must_use]
     #[inline(always)]
-    pub fn y(self) -> T {
+    pub const fn y(self) -> T {
         self.y
     }
 
-    /// Toward the north pole, in metres.
+    /// Returns the coordinate toward the north pole, in metres.
     #[must_use]
     #[inline(always)]
-    pub fn z(self) -> T {
+    pub const fn z(self) -> T {
         self.z
     }
 
-    /// The coordinates x, y, z.
+    /// Returns the coordinates x, y, z, in metres.
     #[must_use]
     #[inline(always)]
-    pub fn to_array(self) -> [T; 3] {
+    pub const fn to_array(self) -> [T; 3] {
         [self.x, self.y, self.z]
     }
 }
 
-/// Coordinates that are not those of a point: one is infinite or not a number.
+impl<T: fmt::Display> fmt::Display for Ecef<T> {
+    /// Writes the coordinates, each with the formatter's options: `(0, 0, 6356752) m`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_between(f, ["(", ", ", ", ", ") m"], [&self.x, &self.y, &self.z])
+    }
+}
+
+/// Coordinates of which one is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidEcef<T> {

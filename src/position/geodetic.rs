@@ -5,7 +5,7 @@ use crate::Real;
 
 /// A geodetic latitude and longitude in degrees, and a height above the ellipsoid in metres.
 ///
-/// The height is along the ellipsoid's normal: positive outside, negative inside.
+/// The height is measured along the ellipsoid's normal: positive outside, negative inside.
 ///
 /// ```
 /// use terrella::{Geodetic, LatLon};
@@ -13,16 +13,17 @@ use crate::Real;
 /// assert_eq!(chimborazo.height(), 6268.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias("LLA", "WGS84"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Geodetic<T> {
+pub struct Geodetic<T = f64> {
     lat_lon: LatLon<T>,
     height: T,
 }
 
 impl<T: Real> Geodetic<T> {
-    /// From a geodetic latitude and longitude, and a height in metres.
+    /// Creates the position of a geodetic latitude and longitude, and a height above the ellipsoid in metres.
     ///
     /// # Errors
     /// [`InvalidHeight`] if the height is infinite or NaN.
@@ -40,40 +41,50 @@ impl<T: Real> Geodetic<T> {
         Self { lat_lon, height }
     }
 
-    /// Latitude and longitude.
+    /// Returns the latitude and longitude.
     #[must_use]
     #[inline(always)]
-    pub fn lat_lon(self) -> LatLon<T> {
+    pub const fn lat_lon(self) -> LatLon<T> {
         self.lat_lon
     }
 
-    /// Geodetic latitude in degrees, in [−90, 90].
+    /// Returns the geodetic latitude in degrees, in [−90, 90].
     #[must_use]
     #[inline(always)]
-    pub fn lat(self) -> T {
+    pub const fn lat(self) -> T {
         self.lat_lon.lat()
     }
 
-    /// Longitude in degrees, in [−180, 180].
+    /// Returns the longitude in degrees, in [−180, 180].
     #[must_use]
     #[inline(always)]
-    pub fn lon(self) -> T {
+    pub const fn lon(self) -> T {
         self.lat_lon.lon()
     }
 
-    /// Height above the ellipsoid in metres.
+    /// Returns the height above the ellipsoid in metres.
     #[must_use]
     #[inline(always)]
-    pub fn height(self) -> T {
+    pub const fn height(self) -> T {
         self.height
     }
 }
 
 impl<T: Real> From<LatLon<T>> for Geodetic<T> {
-    /// The point of the ellipsoid itself, at height 0.
+    /// Creates the position on the ellipsoid itself, at height 0.
     #[inline]
     fn from(lat_lon: LatLon<T>) -> Self {
         Self::within(lat_lon, T::ZERO)
+    }
+}
+
+impl<T: fmt::Display> fmt::Display for Geodetic<T> {
+    /// Writes latitude, longitude and height, each with the formatter's options: `-1.469, -78.817, 6268 m`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.lat_lon.fmt(f)?;
+        f.write_str(", ")?;
+        self.height.fmt(f)?;
+        f.write_str(" m")
     }
 }
 

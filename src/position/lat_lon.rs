@@ -2,33 +2,82 @@ use core::fmt;
 
 use super::Direction;
 use crate::Real;
-use crate::math::sin_cos_degrees;
+use crate::math::{product_of_any, select, sin_cos_degrees};
 
 /// A latitude in [−90, 90] and a longitude in [−180, 180], both in degrees.
 ///
-/// Which latitude it is (geodetic, geocentric, …) is said by whoever takes or gives it.
+/// The function that takes or returns it says which latitude it is: geodetic, geocentric or another.
+///
+/// It is written as decimal degrees with as many decimals as asked for, or with as many as it takes to parse the same bits
+/// again; in degrees, minutes and seconds by [`to_dms`](Self::to_dms). Text of either form parses: see
+/// [`from_str`](Self::from_str).
 ///
 /// ```
 /// use terrella::LatLon;
 /// let oslo = LatLon::new(59.91, 10.75)?;
 /// assert_eq!(LatLon::new(59.91, 370.75)?.lon(), oslo.lon());
+/// assert_eq!((format!("{oslo}"), format!("{oslo:.3}")), ("59.91, 10.75".into(), "59.910, 10.750".into()));
+/// assert_eq!("59.91N 10.75E".parse(), Ok(oslo));
 /// # Ok::<(), terrella::InvalidLatLon<f64>>(())
 /// ```
+#[doc(alias("coordinate", "lonlat", "latlng"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct LatLon<T> {
+pub struct LatLon<T = f64> {
     lat: T,
     lon: T,
 }
 
-impl<T: Real> LatLon<T> {
-    /// From a latitude and a longitude in degrees.
+impl LatLon {
+    /// [`LatLon::new`] for constants: the same, in `f64` alone.
     ///
-    /// A longitude in [−180, 180] is kept as it is, −180 and 180 both; any other is wrapped, exactly.
+    /// For `f32`, use [`to_f32`](Self::to_f32) on the result.
+    ///
+    /// ```
+    /// use terrella::LatLon;
+    /// const OSLO: LatLon = match LatLon::const_new(59.91, 10.75) {
+    ///     Ok(place) => place,
+    ///     Err(_) => panic!("out of range"),
+    /// };
+    /// assert_eq!(LatLon::new(59.91, 370.75), Ok(OSLO));
+    /// # assert_eq!(LatLon::const_new(59.91, 370.75), Ok(OSLO));
+    /// ```
     ///
     /// # Errors
-    /// [`InvalidLatLon::Latitude`] if |lat| > 90 or NaN, [`InvalidLatLon::Longitude`] if lon is infinite or NaN.
+    /// [`InvalidLatLon`] for what [`LatLon::new`] refuses.
+    pub const fn const_new(lat: f64, lon: f64) -> Result<Self, InvalidLatLon<f64>> {
+        if !(lat >= -90.0 && lat <= 90.0) {
+            return Err(InvalidLatLon::Latitude(lat));
+        }
+        if !lon.is_finite() {
+            return Err(InvalidLatLon::Longitude(lon));
+        }
+        let turned = if lon >= -180.0 && lon <= 180.0 {
+            lon
+        } else {
+            lon % 360.0
+        };
+        let lon = if turned > 180.0 {
+            turned - 360.0
+        } else if turned < -180.0 {
+            turned + 360.0
+        } else {
+            turned
+        };
+        Ok(Self { lat, lon })
+    }
+}
+
+impl<T: Real> LatLon<T> {
+    /// Creates the place of a latitude and a longitude in degrees.
+    ///
+    /// A longitude in [−180, 180] is kept as it is, −180 and 180 both. Any other is brought into this range by turns of
+    /// 360°, without rounding.
+    ///
+    /// # Errors
+    /// [`InvalidLatLon::Latitude`] if the latitude is outside [−90, 90] or NaN; [`InvalidLatLon::Longitude`] if the
+    /// longitude is infinite or NaN.
     #[inline]
     pub fn new(lat: T, lon: T) -> Result<Self, InvalidLatLon<T>> {
         let between_poles = lat.abs() <= T::of(90.0); // false for NaN
@@ -53,29 +102,79 @@ impl<T: Real> LatLon<T> {
         Ok(Self { lat, lon })
     }
 
+    /// Creates the place of a latitude and a longitude in radians.
+    ///
+    /// Worst error 0.51 ulp of the degrees. So ±π/2 and ±π, rounded to the scalar, are ±90° and ±180°, although some of
+    /// these roundings are beyond. A longitude beyond ±π is converted to degrees, and brought into range after that.
+    ///
+    /// ```
+    /// use core::f32::consts::{FRAC_PI_2, PI};
+    /// use terrella::LatLon;
+    /// assert_eq!(LatLon::from_radians(FRAC_PI_2, -PI), LatLon::new(90.0, -180.0));
+    /// assert!(LatLon::from_radians(FRAC_PI_2.next_up(), 0.0).is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new), with the value in degrees.
+    #[inline]
+    pub fn from_radians(lat: T, lon: T) -> Result<Self, InvalidLatLon<T>> {
+        let degrees = |angle: T| {
+            scaled(
+                angle,
+                T::pick(57.295_779_513_082_32, 57.295_78),
+                T::pick(-1.987_849_567_057_628_3e-15, -6.688_024_4e-7),
+            )
+        };
+        Self::new(degrees(lat), degrees(lon))
+    }
+
+    /// Returns the latitude in [−π/2, π/2] and the longitude in [−π, π], in radians. Worst error 0.51 ulp.
+    ///
+    /// The bounds are those numbers as rounded to the scalar: π rounded to `f32` is larger than π.
+    ///
+    /// ```
+    /// use terrella::LatLon;
+    /// let place = LatLon::new(30.0, -180.0)?;
+    /// assert_eq!(place.to_radians(), (std::f64::consts::FRAC_PI_6, -std::f64::consts::PI));
+    /// # Ok::<(), terrella::InvalidLatLon<f64>>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn to_radians(self) -> (T, T) {
+        let radians = |angle: T| {
+            scaled(
+                angle,
+                T::pick(0.017_453_292_519_943_295, 0.017_453_292),
+                T::pick(2.948_652_270_870_168_7e-19, 1.351_996e-10),
+            )
+        };
+        (radians(self.lat), radians(self.lon))
+    }
+
     /// For a latitude and longitude known to be in range.
     #[inline(always)]
     pub(crate) const fn within(lat: T, lon: T) -> Self {
         Self { lat, lon }
     }
 
-    /// Latitude in degrees, in [−90, 90].
+    /// Returns the latitude in degrees, in [−90, 90].
     #[must_use]
     #[inline(always)]
-    pub fn lat(self) -> T {
+    pub const fn lat(self) -> T {
         self.lat
     }
 
-    /// Longitude in degrees, in [−180, 180].
+    /// Returns the longitude in degrees, in [−180, 180].
     #[must_use]
     #[inline(always)]
-    pub fn lon(self) -> T {
+    pub const fn lon(self) -> T {
         self.lon
     }
 
-    /// The point of the unit sphere at this latitude and longitude.
+    /// Returns the unit vector toward this latitude and longitude on the sphere.
     ///
-    /// Worst error 2.2e-16 rad (`f64`), 1.2e-7 rad (`f32`); exact on the axes, and nothing is lost near them.
+    /// Worst error 2.2·10⁻¹⁶ rad (`f64`), 1.2·10⁻⁷ rad (`f32`). It is exact on the axes, and next to them no component
+    /// loses digits.
     ///
     /// ```
     /// # use terrella::LatLon;
@@ -97,7 +196,25 @@ impl<T: Real> LatLon<T> {
     }
 }
 
-/// Why [`LatLon::new`] refused.
+/// An angle in another unit: the factor is a number and what its rounding lost.
+#[inline(always)]
+fn scaled<T: Real>(angle: T, factor: T, lost: T) -> T {
+    let (product, product_lost) = product_of_any(angle, factor);
+    let rest = product_lost + angle * lost;
+    // Not beyond the largest numbers, where infinities cancel; and −0 stays.
+    select(rest.is_finite() & (rest != T::ZERO), product + rest, product)
+}
+
+impl<T: fmt::Display> fmt::Display for LatLon<T> {
+    /// Writes latitude and longitude in decimal degrees, each with the formatter's options: `59.91, 10.75`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.lat.fmt(f)?;
+        f.write_str(", ")?;
+        self.lon.fmt(f)
+    }
+}
+
+/// Why there is no such [`LatLon`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidLatLon<T> {

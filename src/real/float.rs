@@ -88,19 +88,22 @@ macro_rules! real {
                     return sum;
                 }
                 let square = self * self;
-                let (groups, rest) = table.as_chunks::<3>();
+                let (mut groups, rest) = table.split_at(table.len() - table.len() % 3);
                 let cube = square * self;
                 // Of the last terms there may be fewer than three: the other sums begin with the group
                 // before.
-                let mut groups = groups.iter().rev();
-                let mut sums = groups.next().copied().unwrap_or([0.0; 3]);
+                let mut sums = [0.0; 3];
+                if let Some((before, last)) = groups.split_last_chunk() {
+                    (groups, sums) = (before, *last);
+                }
                 for (sum, &c) in sums.iter_mut().zip(rest) {
                     *sum += c * cube;
                 }
-                for group in groups {
+                while let Some((before, group)) = groups.split_last_chunk::<3>() {
                     for (sum, c) in sums.iter_mut().zip(group) {
                         *sum = *sum * cube + c;
                     }
+                    groups = before;
                 }
                 let [a, b, c] = sums;
                 (a + self * b) + square * c

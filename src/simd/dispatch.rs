@@ -16,14 +16,16 @@ pub(crate) trait Pass {
 /// Runs a pass with the widest instructions that this machine has.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 pub(crate) fn dispatch<P: Pass>(pass: P) -> P::Output {
+    #[cfg(avx512)]
     if std::is_x86_feature_detected!("avx512f")
         && std::is_x86_feature_detected!("avx512bw")
         && std::is_x86_feature_detected!("avx512dq")
         && std::is_x86_feature_detected!("avx512vl")
     {
         // SAFETY: the machine has what the function is compiled for.
-        unsafe { avx512(pass) }
-    } else if std::is_x86_feature_detected!("avx2") {
+        return unsafe { avx512(pass) };
+    }
+    if std::is_x86_feature_detected!("avx2") {
         // SAFETY: as above.
         unsafe { avx2(pass) }
     } else {
@@ -37,14 +39,14 @@ pub(crate) fn dispatch<P: Pass>(pass: P) -> P::Output {
     pass.run()
 }
 
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[cfg(all(avx512, feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
-fn avx512<P: Pass>(pass: P) -> P::Output {
+unsafe fn avx512<P: Pass>(pass: P) -> P::Output {
     pass.run()
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx2")]
-fn avx2<P: Pass>(pass: P) -> P::Output {
+unsafe fn avx2<P: Pass>(pass: P) -> P::Output {
     pass.run()
 }

@@ -79,7 +79,7 @@ pub struct InvalidBase(pub f64);
 
 impl fmt::Display for InvalidBase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?} metres are no height of a base", self.0)
+        write!(f, "height {:?} is not finite", self.0)
     }
 }
 

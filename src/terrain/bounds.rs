@@ -99,7 +99,7 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
 
     /// The cube map.
     #[must_use]
-    pub fn map(&self) -> CubeMap<T, P> {
+    pub const fn map(&self) -> CubeMap<T, P> {
         self.map
     }
 

@@ -191,8 +191,8 @@ pub enum InvalidCamera<T> {
 impl<T: fmt::Debug> fmt::Display for InvalidCamera<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Matrix(entry) => write!(f, "the matrix has {entry:?} in it"),
-            Self::Pixels(count) => write!(f, "{count:?} is no number of pixels"),
+            Self::Matrix(entry) => write!(f, "expected a matrix of finite numbers, got {entry:?}"),
+            Self::Pixels(count) => write!(f, "expected a positive, finite number of pixels, got {count:?}"),
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::latitude::Turn;
 use crate::math::{sin_cos_degrees, sin_cos_small};
 use crate::{Enu, LatLon, Real, Shifted};
 
-/// The heights of a piece of terrain above the ellipsoid: the lowest and the highest, in metres.
+/// The lowest and the highest height of a piece of terrain above the ellipsoid, in metres.
 ///
 /// ```
 /// use terrella::terrain::{Heights, InvalidHeights};
@@ -15,13 +15,14 @@ use crate::{Enu, LatLon, Real, Shifted};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Heights<T> {
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Heights<T = f64> {
     low: T,
     high: T,
 }
 
 impl<T: Real> Heights<T> {
-    /// From the lowest and the highest, in metres.
+    /// Creates the range from the lowest to the highest height, in metres.
     ///
     /// # Errors
     /// [`InvalidHeights`] if one is infinite or NaN, or the lowest above the highest.
@@ -34,22 +35,22 @@ impl<T: Real> Heights<T> {
         }
     }
 
-    /// The lowest, in metres.
+    /// Returns the lowest height, in metres.
     #[must_use]
     #[inline(always)]
-    pub fn low(self) -> T {
+    pub const fn low(self) -> T {
         self.low
     }
 
-    /// The highest, in metres.
+    /// Returns the highest height, in metres.
     #[must_use]
     #[inline(always)]
-    pub fn high(self) -> T {
+    pub const fn high(self) -> T {
         self.high
     }
 }
 
-/// Heights that are no range.
+/// Heights of which one is infinite or NaN, or the first is above the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidHeights<T> {
@@ -61,7 +62,11 @@ pub struct InvalidHeights<T> {
 
 impl<T: fmt::Debug> fmt::Display for InvalidHeights<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "heights from {:?} to {:?} metres are no range", self.low, self.high)
+        write!(
+            f,
+            "expected finite heights, the lowest first, got {:?} and {:?}",
+            self.low, self.high
+        )
     }
 }
 

@@ -100,9 +100,8 @@ impl<T: Real> Horizon<T> {
         // Homogeneous: the eye times the weight, and the way from there.
         let far = along(way, weight, eye);
         let length = dot(far, far).sqrt();
-        if weight.abs() > length * T::EPSILON.sqrt()
-            && let Some(point) = camera.point()
-        {
+        let near = weight.abs() > length * T::EPSILON.sqrt();
+        if let Some(point) = camera.point().filter(|_| near) {
             return Self::new(ellipsoid, lowest, point);
         }
         // From farther away less is hidden: what is as good as infinitely far away may be taken for it.

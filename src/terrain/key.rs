@@ -98,20 +98,20 @@ impl<C: Curve> Key<C> {
     /// The number.
     #[must_use]
     #[inline(always)]
-    pub fn bits(self) -> u64 {
+    pub const fn bits(self) -> u64 {
         self.bits
     }
 
     /// The tile's level.
     #[must_use]
     #[inline]
-    pub fn level(self) -> u8 {
+    pub const fn level(self) -> u8 {
         Tile::MAX_LEVEL - (self.bits.trailing_zeros() / 2) as u8
     }
 
     /// The bit that ends the number.
     #[inline(always)]
-    fn end(self) -> u64 {
+    const fn end(self) -> u64 {
         self.bits & self.bits.wrapping_neg()
     }
 
@@ -153,7 +153,7 @@ impl<C: Curve> Key<C> {
     /// Whether the other key is this one's or that of a descendant.
     #[must_use]
     #[inline]
-    pub fn contains(self, other: Self) -> bool {
+    pub const fn contains(self, other: Self) -> bool {
         self.bits.abs_diff(other.bits) < self.end()
     }
 }
@@ -225,35 +225,35 @@ impl<C: Curve> FromStr for Key<C> {
     }
 }
 
-/// A number that is no [`Key`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A number that is not a [`Key`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidKey(pub u64);
 
 impl fmt::Display for InvalidKey {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:#018x} is no tile's key", self.0)
+        write!(f, "{:#018x} is not the key of a tile", self.0)
     }
 }
 
 impl core::error::Error for InvalidKey {}
 
-/// Why a text is no [`Key`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Why a text is not a [`Key`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidToken {
-    /// It has not 1 to 16 bytes, but so many.
+    /// Its length in bytes, which is not in 1 to 16.
     Length(usize),
-    /// It has a character that is no digit in base 16.
+    /// A character that is not a digit in base 16.
     Digit(char),
-    /// The number is no key.
+    /// The number is not a key.
     Key(InvalidKey),
 }
 
 impl fmt::Display for InvalidToken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Length(length) => write!(f, "a token of {length} bytes is not one of 1 to 16"),
+            Self::Length(length) => write!(f, "expected a token of 1 to 16 bytes, got {length}"),
             Self::Digit(character) => write!(f, "{character:?} is not a digit in base 16"),
             Self::Key(key) => key.fmt(f),
         }

@@ -5,7 +5,7 @@ use crate::cube::{Corner, Edge};
 ///
 /// As [`Neighbour`](crate::cube::Neighbour) has it for faces: laid flat beside this tile and then turned counter-clockwise by `turns` quarter
 /// circles, the plane of this tile's (s, t) becomes that of the neighbour's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Adjacent {
     /// The tile across the edge.
@@ -17,7 +17,7 @@ pub struct Adjacent {
 }
 
 /// What lies across a corner of a tile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Diagonal {
     /// The tile that has this corner, and no edge, in common.
@@ -29,7 +29,7 @@ pub struct Diagonal {
 }
 
 /// The tiles of a level that meet in a point, each with the corner that it has there: counter-clockwise as seen from outside.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Around {
     /// In a corner of the cube.
@@ -102,7 +102,7 @@ impl Tile {
         }
         let (first, second) = corner.edges();
         // Of the two edges, those of even number are crossed by a change of i.
-        let edge = if beside == (first as u8).is_multiple_of(2) {
+        let edge = if beside == (first as u8 % 2 == 0) {
             first
         } else {
             second
@@ -260,7 +260,7 @@ impl Tile {
             }
         };
         // A step along y becomes one along −x by one turn, along −y by two; one along x becomes one along −x by two, along −y by three.
-        let sideways = !(edge as u8).is_multiple_of(2);
+        let sideways = edge as u8 % 2 == 1;
         let backward = if sideways { turns >= 2 } else { turns == 1 || turns == 2 };
         Ok(Along {
             first,
@@ -298,7 +298,7 @@ impl Tile {
 }
 
 /// The tiles along the far side of an edge: see [`Tile::neighbours`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
 pub struct Along {

@@ -55,7 +55,7 @@ impl<P: CubeProjection> Patches<P> {
 
     /// The cube map.
     #[must_use]
-    pub fn map(&self) -> CubeMap<f64, P> {
+    pub const fn map(&self) -> CubeMap<f64, P> {
         self.map
     }
 
@@ -401,7 +401,7 @@ pub(super) fn samples_and_length(samples: u32, lengths: &[usize]) -> Result<(), 
 }
 
 /// Why a patch was refused; nothing was written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidPatch {
     /// The number of samples along an edge is not in 2 to 4097.
@@ -418,8 +418,10 @@ pub enum InvalidPatch {
 impl fmt::Display for InvalidPatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Samples(samples) => write!(f, "{samples} samples along an edge are not in 2 to {MOST}"),
-            Self::Length { expected, length } => write!(f, "a slice of {length} elements for {expected} samples"),
+            Self::Samples(samples) => write!(f, "expected 2 to {MOST} samples along an edge, got {samples}"),
+            Self::Length { expected, length } => {
+                write!(f, "expected slices of {expected} elements, got one of {length}")
+            }
         }
     }
 }

@@ -177,7 +177,7 @@ impl Tile {
 }
 
 /// Why [`Tile::from_numbering`] refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidNumberedTile {
     /// No face has the number.

@@ -75,7 +75,7 @@ impl<T: Real> Detail<T> {
     }
 }
 
-/// Why there is no such [`Detail`].
+/// Why [`Detail`] was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -93,10 +93,13 @@ pub enum InvalidDetail<T> {
 impl<T: fmt::Debug> fmt::Display for InvalidDetail<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Samples => f.write_str("a tile of no samples"),
-            Self::Ratio(ratio) => write!(f, "{ratio:?} is no ratio of pixels to samples"),
+            Self::Samples => f.write_str("expected at least one sample along a tile's side, got none"),
+            Self::Ratio(ratio) => write!(
+                f,
+                "expected a positive, finite ratio of pixels to samples, got {ratio:?}"
+            ),
             Self::Level(level) => level.fmt(f),
-            Self::Anisotropy(most) => write!(f, "a filter of at most {most:?} samples is none"),
+            Self::Anisotropy(most) => write!(f, "expected a filter of at least one sample, got {most:?}"),
         }
     }
 }

@@ -124,7 +124,7 @@ impl<P: CubeProjection> Patches<P> {
             let (anchor, coefficients) = self.expansion(tile, 0.0);
             for n in 0..=PARTS {
                 for m in 0..=PARTS {
-                    if !(n.is_multiple_of(PARTS) || m.is_multiple_of(PARTS)) {
+                    if !(n % PARTS == 0 || m % PARTS == 0) {
                         continue;
                     }
                     let [foot, _] = self.ground(tile.node([m, n], PARTS));

@@ -11,7 +11,7 @@ use crate::math::select;
 /// and negate components, so that displacements and normals come over without rounding: in every bit what
 /// [`Patches::fill`](super::Patches::fill) would say, but in the conformal cube, which is itself symmetrical
 /// only to 2 ulps and where displacements are within 6 nm and an ulp.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Symmetry {
     from: Face,

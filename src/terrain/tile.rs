@@ -20,7 +20,7 @@ use crate::math::{min, select};
 /// assert_eq!(tile.parent(), Some(Tile::new(Face::Top, 2, 2, 1)?));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Tile {
@@ -91,7 +91,7 @@ impl Tile {
         let index = |x: T| {
             // Scaling is exact; adding 1 to x first would not be.
             let finest = (x * T::whole(half.into())).floor().wrapping_add_unsigned(half);
-            finest.cast_unsigned().min(2 * half - 1) >> (Self::MAX_LEVEL - level)
+            (finest as u32).min(2 * half - 1) >> (Self::MAX_LEVEL - level)
         };
         Ok(Self::within(point.face(), level, index(point.x()), index(point.y())))
     }
@@ -308,7 +308,7 @@ impl Tile {
     /// The lower end of a column or row, in units of 2^−level from the middle of the face.
     #[inline(always)]
     const fn low(self, index: u32) -> i32 {
-        2 * index.cast_signed() - (1 << self.level)
+        2 * index as i32 - (1 << self.level)
     }
 }
 
@@ -319,8 +319,16 @@ fn signed<T: Real>(number: i32) -> T {
     select(number < 0, -magnitude, magnitude)
 }
 
+impl fmt::Display for Tile {
+    /// Writes face, level, column and row: `top/3/5/2`. To parse text, see [`Key`](super::Key).
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { face, level, i, j } = self;
+        write!(f, "{face}/{level}/{i}/{j}")
+    }
+}
+
 /// Why there is no such [`Tile`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidTile {
     /// The level is above 30.

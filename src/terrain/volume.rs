@@ -23,14 +23,14 @@ impl<T: Real> OrientedBox<T> {
     /// Three unit vectors at right angles, right-handed.
     #[must_use]
     #[inline]
-    pub fn axes(&self) -> [[T; 3]; 3] {
+    pub const fn axes(&self) -> [[T; 3]; 3] {
         self.axes
     }
 
     /// Half of the extent along each axis, in metres.
     #[must_use]
     #[inline]
-    pub fn half(&self) -> [T; 3] {
+    pub const fn half(&self) -> [T; 3] {
         self.half
     }
 

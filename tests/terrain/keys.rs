@@ -169,7 +169,7 @@ fn numbers_that_are_no_keys_are_refused() {
         assert_eq!(Key::<Hilbert>::new(bits), Err(InvalidKey(bits)), "{bits:#x}");
         assert!(!CellID(bits).is_valid(), "{bits:#x}");
     }
-    assert_eq!(InvalidKey(2).to_string(), "0x0000000000000002 is no tile's key");
+    assert_eq!(InvalidKey(2).to_string(), "0x0000000000000002 is not the key of a tile");
 }
 
 #[test]
@@ -186,9 +186,9 @@ fn texts_that_are_no_tokens_are_refused() {
     assert_eq!(
         said,
         [
-            "a token of 0 bytes is not one of 1 to 16",
+            "expected a token of 1 to 16 bytes, got 0",
             "'g' is not a digit in base 16",
-            "0xf000000000000000 is no tile's key"
+            "0xf000000000000000 is not the key of a tile"
         ]
     );
     assert_eq!("1".parse::<Key<Morton>>().map(Tile::from), Ok(Tile::root(Face::Front)));

@@ -490,10 +490,7 @@ fn what_is_no_base_is_refused() {
             assert_eq!(found.to_bits(), bad.to_bits());
         }
     }
-    assert_eq!(
-        InvalidBase(f64::INFINITY).to_string(),
-        "inf metres are no height of a base"
-    );
+    assert_eq!(InvalidBase(f64::INFINITY).to_string(), "height inf is not finite");
     let widest = Heights::new(f64::MIN, f64::MAX).unwrap();
     assert_eq!(Base::from(widest), Base::default());
 }
@@ -564,10 +561,10 @@ fn what_is_no_patch_is_refused() {
         Err(wrong)
     );
     assert!(o.iter().flatten().all(|&v| v == 0.0));
-    assert_eq!(wrong.to_string(), "a slice of 8 elements for 9 samples");
+    assert_eq!(wrong.to_string(), "expected slices of 9 elements, got one of 8");
     assert_eq!(
         InvalidPatch::Samples(1).to_string(),
-        "1 samples along an edge are not in 2 to 4097"
+        "expected 2 to 4097 samples along an edge, got 1"
     );
     let seen = patches
         .of(tile, Base::default())

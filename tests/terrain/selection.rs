@@ -507,7 +507,13 @@ fn what_is_no_camera_is_refused() {
         }
     }
     let said = [InvalidCamera::Matrix(f64::NAN), InvalidCamera::Pixels(-1.0)].map(|e| e.to_string());
-    assert_eq!(said, ["the matrix has NaN in it", "-1.0 is no number of pixels"]);
+    assert_eq!(
+        said,
+        [
+            "expected a matrix of finite numbers, got NaN",
+            "expected a positive, finite number of pixels, got -1.0"
+        ]
+    );
 }
 
 #[test]
@@ -536,10 +542,10 @@ fn what_is_no_detail_is_refused() {
     assert_eq!(
         said,
         [
-            "a tile of no samples",
-            "0.0 is no ratio of pixels to samples",
+            "expected at least one sample along a tile's side, got none",
+            "expected a positive, finite ratio of pixels to samples, got 0.0",
             "level 31 is not in 0 to 30",
-            "a filter of at most 0.5 samples is none"
+            "expected a filter of at least one sample, got 0.5"
         ]
     );
 }

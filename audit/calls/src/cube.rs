@@ -158,6 +158,11 @@ fn faces<T: Scalar, V: Visitor>(visitor: &mut V) {
             )
         },
     );
+    visitor.function::<T, _, _>(
+        "Face::name",
+        |arguments| arguments.below(6) as usize,
+        |index| Face::ALL.get(index).map(|&face| Face::name(face).len()),
+    );
     visitor.function::<T, _, _>("FacePoint::new", Arguments::units::<T, 2>, |[x, y]| {
         let twice = T::of(2.0);
         FacePoint::new(Face::Back, x * twice, y * twice)

@@ -1,4 +1,4 @@
-use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon};
+use terrella::{Direction, Dms, DmsLatLon, Ecef, Ellipsoid, Geodetic, LatLon};
 
 use crate::{Arguments, Function, Scalar, Visitor};
 
@@ -7,6 +7,22 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     let three = Arguments::units::<T, 3>;
     visitor.function::<T, _, _>("LatLon::new", two, |[lat, lon]| {
         LatLon::new(lat * T::of(100.0), lon * T::of(1000.0))
+    });
+    visitor.function::<T, _, _>("LatLon::from_radians", two, |[lat, lon]| {
+        LatLon::from_radians(lat * T::of(1.6), lon * T::of(20.0))
+    });
+    visitor.function::<T, _, _>("LatLon::to_radians", Arguments::place::<T>, LatLon::to_radians);
+    visitor.function::<T, _, _>("LatLon::to_dms", Arguments::place::<T>, |place| {
+        let DmsLatLon { lat, lon } = LatLon::to_dms(place, 6);
+        [lat, lon].map(|angle| {
+            let parts = (Dms::minutes(angle), Dms::seconds(angle), Dms::fraction(angle));
+            (
+                Dms::is_negative(angle),
+                u32::from(Dms::degrees(angle)),
+                parts,
+                Dms::digits(angle),
+            )
+        })
     });
     visitor.function::<T, _, _>("LatLon::to_direction", Arguments::place::<T>, LatLon::to_direction);
     visitor.function::<T, _, _>("Direction::new", three, |[x, y, z]| Direction::new(x, y, z));

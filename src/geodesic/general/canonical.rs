@@ -188,10 +188,10 @@ impl<T: Real> Canonical<T> {
 
     /// Solves the problem.
     pub fn solve(&self, solver: &Solver<T>) -> Segment<T> {
-        if (self.polar || self.lambda12.sin == T::ZERO)
-            && let Some(segment) = self.meridional(solver)
-        {
-            return segment;
+        if self.polar || self.lambda12.sin == T::ZERO {
+            if let Some(segment) = self.meridional(solver) {
+                return segment;
+            }
         }
         let f = solver.ellipsoid.f();
         if self.beta1.sin == T::ZERO && (f <= T::ZERO || self.supplement >= f * T::of(180.0)) {

@@ -113,13 +113,13 @@ impl<T: Real> Karney<T> {
     /// The line of [`Geodesic::inverse`], the canonical problem, and all of its solution. Between poles the latter is
     /// for the meridian of the second place's longitude, which the polygon's edge follows.
     fn whole(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, Canonical<T>, Segment<T>) {
-        if self.fast.exact()
-            && let Some(found) = self.fast.outcome(from, to)
-        {
-            let problem = Canonical::new(&self.general, from, to);
-            let arcs = [found.sigma12, found.growth];
-            let segment = problem.segment(&self.general, found.inverse, arcs, found.evaluations);
-            return (found.inverse, problem, segment);
+        if self.fast.exact() {
+            if let Some(found) = self.fast.outcome(from, to) {
+                let problem = Canonical::new(&self.general, from, to);
+                let arcs = [found.sigma12, found.growth];
+                let segment = problem.segment(&self.general, found.inverse, arcs, found.evaluations);
+                return (found.inverse, problem, segment);
+            }
         }
         self.general.inverse(from, to)
     }
@@ -165,10 +165,10 @@ impl<T: Real> Geodesic<T> for Karney<T> {
     /// Never fails.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        if self.fast.exact()
-            && let Some(line) = self.fast.inverse(from, to)
-        {
-            return Ok(line);
+        if self.fast.exact() {
+            if let Some(line) = self.fast.inverse(from, to) {
+                return Ok(line);
+            }
         }
         Ok(self.general.inverse(from, to).0)
     }

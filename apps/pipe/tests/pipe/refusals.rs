@@ -102,14 +102,17 @@ fn faces_and_cells() {
             (b"%4", "% without two digits"),
             (b"%zz", "% without two digits"),
             (b"%ff", "invalid utf-8 sequence of 1 bytes from index 0"),
-            (b"f", "0xf000000000000000 is no tile's key"),
-            (b"12345678123456781", "a token of 17 bytes is not one of 1 to 16"),
+            (b"f", "0xf000000000000000 is not the key of a tile"),
+            (b"12345678123456781", "expected a token of 1 to 16 bytes, got 17"),
         ],
     );
     in_place(
         "key",
         "3000000000000000",
-        &[(b"0", "0x0000000000000000 is no tile's key"), (b"x", "\"x\" is no id")],
+        &[
+            (b"0", "0x0000000000000000 is not the key of a tile"),
+            (b"x", "\"x\" is no id"),
+        ],
     );
     in_place(
         "cell-parent",
