@@ -68,7 +68,7 @@ impl Scene {
     /// assert_eq!(AREAS.surface(), Surface::Plane);
     /// let corners = [(0.0, 0.0), (0.0, 0.001), (0.001, 0.001), (0.001, 0.0)];
     /// let corners = corners.map(|(north, east)| LatLon::new(north, east).unwrap());
-    /// assert!((AREAS.method().area(corners) - 7641.537).abs() < 0.005);
+    /// assert!((AREAS.solver().area(corners) - 7641.537).abs() < 0.005);
     /// // Countries, their boundaries to 10 micrometres, no edge shorter than 10 km.
     /// let countries = Scene::new(Ellipsoid::WGS84).latitudes(-60.0, 75.0).between(1e4, 1e7).within(1e-5);
     /// assert_eq!(countries.areas::<f64>()?.surface(), Surface::Ellipsoid);
@@ -174,10 +174,12 @@ impl<T: Real> Areas<T> {
         self.bound
     }
 
-    /// The model, ready.
+    /// Returns the surface's way to measure areas, ready to use.
+    ///
+    /// In a constant scene, only this one is linked.
     #[must_use]
     #[inline(always)]
-    pub fn method(&self) -> AnyArea<T> {
+    pub fn solver(&self) -> AnyArea<T> {
         let ellipsoid = self.scene.ellipsoid.rounded();
         match self.surface {
             Surface::Plane => {
@@ -194,7 +196,7 @@ impl<T: Real> Areas<T> {
     }
 }
 
-/// The model that a scene chose, on its ellipsoid: [`Areas::method`].
+/// The model that a scene chose, on its ellipsoid: [`Areas::solver`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[allow(clippy::large_enum_variant)] // nothing here allocates

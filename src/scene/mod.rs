@@ -18,8 +18,8 @@
 //! **A quadcopter's geofence**: a kilometre about the field, five centimetres, single precision. Differences from the field's middle in degrees fit it, and a plane.
 //!
 //! ```
-//! use terrella::geodesic::Geodesic;
-//! use terrella::scene::{Distances, Model, Positions, Scalar, Scene, View};
+//! use terrella::geodesic::{Geodesic, Method};
+//! use terrella::scene::{Distances, Positions, Scalar, Scene, View};
 //! use terrella::{Ellipsoid, Geodetic, LatLon};
 //!
 //! const FIELD: Scene = Scene::around(Ellipsoid::WGS84, 47.4, 1000.0).heights(400.0, 550.0).within(0.05);
@@ -28,9 +28,9 @@
 //!     Ok(way) => way,
 //!     Err(_) => panic!("no model is good enough"), // would not compile
 //! };
-//! assert_eq!(WAY.model(), Model::Plane);
+//! assert_eq!(WAY.method(), Method::Plane);
 //! assert!(WAY.bound().distance < 0.002);
-//! let fence = WAY.method();
+//! let fence = WAY.solver();
 //! let (home, drone) = (LatLon::new(0.0, 0.0)?, LatLon::new(0.004_5, -0.006)?);
 //! assert!((fence.inverse(home, drone)?.distance - 674.850).abs() < 0.002);
 //!
@@ -45,16 +45,16 @@
 //! **An airliner's leg**: 9000 km, any latitude. What ten metres need is good for a millimetre, too; twenty are cheaper.
 //!
 //! ```
-//! use terrella::geodesic::Geodesic;
-//! use terrella::scene::{Distances, Model, Scene};
+//! use terrella::geodesic::{Geodesic, Method};
+//! use terrella::scene::{Distances, Scene};
 //! use terrella::{Ellipsoid, LatLon};
 //!
 //! const LEG: Scene = Scene::new(Ellipsoid::WGS84).up_to(9_000_000.0);
-//! let model = |metres| LEG.within(metres).distances::<f64>().map(|leg| leg.model());
-//! assert_eq!([model(20.0)?, model(10.0)?, model(0.001)?], [Model::Andoyer, Model::Karney, Model::Karney]);
+//! let method = |metres| LEG.within(metres).distances::<f64>().map(|leg| leg.method());
+//! assert_eq!([method(20.0)?, method(10.0)?, method(0.001)?], [Method::Andoyer, Method::Karney, Method::Karney]);
 //! let leg: Distances<f64> = LEG.within(0.001).distances()?;
 //! let (zurich, johannesburg) = (LatLon::new(47.458, 8.548)?, LatLon::new(-26.139, 28.246)?);
-//! let way = leg.method().inverse(zurich, johannesburg)?;
+//! let way = leg.solver().inverse(zurich, johannesburg)?;
 //! assert_eq!(format!("{:.3}", way.distance), "8386734.099");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -90,17 +90,17 @@ mod distances;
 mod error;
 mod expansion;
 mod figure;
-mod model;
+mod methods;
 mod positions;
 mod scalar;
 mod tiles;
 
 pub use areas::{AnyArea, Areas, Surface};
+pub use bounds::Bound;
 pub use distances::Distances;
 pub use error::SceneError;
 pub use expansion::Expansion;
 pub use figure::Figure;
-pub use model::{AnyModel, Bound, Model};
 pub use positions::{AnyView, Positions, View};
 pub use scalar::Scalar;
 pub use tiles::Tiles;
