@@ -1,16 +1,15 @@
 use core::fmt;
-use core::str::FromStr;
 
 use super::{
     Direct, Geodesic, GeodesicError, Inverse, andoyer, andoyer_second, bowring, flat, great_circle, haversine, karney,
     plane, vincenty,
 };
 use crate::latitude::UnsupportedFlattening;
-use crate::name::unknown;
+use crate::name::by_name;
 use crate::{Ellipsoid, LatLon, Real};
 
-/// One line a method: `module::Type "name" instructions |ellipsoid| constructor`, or `|ellipsoid, place|`, the fewest
-/// instructions first.
+/// One line a method: `module::Type "name" instructions |ellipsoid| constructor`, or `|ellipsoid, place|`,
+/// the fewest instructions first.
 macro_rules! methods {
     ($(
         $module:ident::$variant:ident $name:literal $instructions:literal
@@ -18,8 +17,8 @@ macro_rules! methods {
     )*) => {
         /// The methods of this crate, to choose one by name or at run time.
         ///
-        /// Code that always uses the same method names its type, for example [`Karney`](super::Karney), and then links
-        /// no other method. [`Scene::distances`](crate::scene::Scene::distances) chooses for you.
+        /// Code that always uses the same method names its type, for example [`Karney`](super::Karney), and
+        /// then links no other method. [`Scene::distances`](crate::scene::Scene::distances) chooses for you.
         ///
         /// ```
         /// use terrella::geodesic::{Geodesic, Method};
@@ -53,8 +52,8 @@ macro_rules! methods {
                 }
             }
 
-            /// Returns the number of instructions of one inverse problem: distance and azimuths in `f64`, on x86-64 with
-            /// SSE2, to two digits.
+            /// Returns the number of instructions of one inverse problem: distance and azimuths in `f64`, on
+            /// x86-64 with SSE2, to two digits.
             ///
             /// `benches/instructions/run` counts them.
             #[must_use]
@@ -64,8 +63,8 @@ macro_rules! methods {
                 }
             }
 
-            /// Returns whether the method holds about one place only, so that [`about`](Self::about) makes it, and
-            /// [`on`](Self::on) refuses.
+            /// Returns whether the method holds about one place only, so that [`about`](Self::about) makes
+            /// it, and [`on`](Self::on) refuses.
             #[must_use]
             pub const fn needs_place(self) -> bool {
                 match self {
@@ -75,20 +74,20 @@ macro_rules! methods {
 
             /// Creates the method on an ellipsoid, about a place.
             ///
-            /// Only methods that [need a place](Self::needs_place) use it; the others hold everywhere. Methods of the
-            /// sphere take the mean radius of the ellipsoid.
+            /// Only methods that [need a place](Self::needs_place) use it; the others hold everywhere.
+            /// Methods of the sphere take the mean radius of the ellipsoid.
             ///
             /// # Errors
-            /// [`UnsupportedFlattening`] if the method does not hold for this ellipsoid. The methods of the sphere
-            /// always hold.
+            /// [`UnsupportedFlattening`] if the method does not hold for this ellipsoid. The methods of the
+            /// sphere always hold.
             ///
             /// ```
-            /// use terrella::geodesic::{Geodesic, Method};
+            /// use terrella::geodesic::{AnyMethod, Geodesic, Method};
             /// use terrella::{Ellipsoid, LatLon};
             /// let (zurich, bern) = (LatLon::new(47.377, 8.541)?, LatLon::new(46.948, 7.447)?);
             /// let plane = Method::Plane.about(Ellipsoid::<f64>::WGS84, zurich)?;
             /// let exact = Method::Karney.about(Ellipsoid::<f64>::WGS84, zurich)?;
-            /// let metres = |method: terrella::geodesic::AnyMethod<_>| method.inverse(zurich, bern).map(|line| line.distance);
+            /// let metres = |by: AnyMethod<_>| by.inverse(zurich, bern).map(|line| line.distance);
             /// assert!((metres(plane)? - metres(exact)?).abs() < 5.0);
             /// # Ok::<(), Box<dyn std::error::Error>>(())
             /// ```
@@ -170,6 +169,13 @@ macro_rules! methods {
                     $(Self::$variant(method) => method.direct(from, azimuth, distance),)*
                 }
             }
+
+            #[inline(always)]
+            fn reach(&self) -> T {
+                match self {
+                    $(Self::$variant(method) => method.reach(),)*
+                }
+            }
         }
     };
     (@place) => { false };
@@ -192,9 +198,9 @@ impl Method {
     /// Creates the method on an ellipsoid. Methods of the sphere take its mean radius.
     ///
     /// # Errors
-    /// [`InvalidMethod::Flattening`] if the method does not hold for this ellipsoid; the methods of the sphere always
-    /// hold. [`InvalidMethod::PlaceNeeded`] for a method that holds about one place only: [`about`](Self::about) makes
-    /// it.
+    /// [`InvalidMethod::Flattening`] if the method does not hold for this ellipsoid; the methods of the
+    /// sphere always hold. [`InvalidMethod::PlaceNeeded`] for a method that holds about one place only:
+    /// [`about`](Self::about) makes it.
     pub fn on<T: Real>(self, ellipsoid: Ellipsoid<T>) -> Result<AnyMethod<T>, InvalidMethod<T>> {
         if self.needs_place() {
             return Err(InvalidMethod::PlaceNeeded(self));
@@ -235,22 +241,4 @@ impl<T: fmt::Debug> fmt::Display for InvalidMethod<T> {
 
 impl<T: fmt::Debug> core::error::Error for InvalidMethod<T> {}
 
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-unknown!(UnknownMethod, "method", Method::ALL.iter());
-
-impl FromStr for Method {
-    type Err = UnknownMethod;
-
-    fn from_str(name: &str) -> Result<Self, UnknownMethod> {
-        Self::ALL
-            .iter()
-            .copied()
-            .find(|m| m.name() == name)
-            .ok_or_else(|| UnknownMethod::new(name))
-    }
-}
+by_name!(Method, UnknownMethod, "method");

@@ -13,8 +13,8 @@ const PI: f64 = core::f64::consts::PI;
 pub struct Bound {
     /// The error of a distance or a position, in metres.
     pub distance: f64,
-    /// The error of an azimuth between places no nearer than the scene's nearest, in radians. It is infinite if that
-    /// distance is 0.
+    /// The error of an azimuth between places no nearer than the scene's nearest, in radians. It is infinite
+    /// if that distance is 0.
     pub azimuth: f64,
 }
 
@@ -130,7 +130,8 @@ impl Models {
         [sigma, (2.0 / PI * sigma - 1.0).max(0.0), PI - sigma]
     }
 
-    /// An azimuth's error between places a distance apart, of a relative one and one in metres: over the reduced length, which is at least (s/π)(π − 2πf − s/b)(1 − 2f).
+    /// An azimuth's error between places a distance apart, of a relative one and one in metres: over the
+    /// reduced length, which is at least (s/π)(π − 2πf − s/b)(1 − 2f).
     const fn turn(&self, s: f64, relative: f64, across: f64) -> f64 {
         let f = self.ellipsoid.f();
         let share = (1.0 - 2.0 * f) * (1.0 - 2.0 * f - s / (PI * polar_radius(self.ellipsoid)));
@@ -149,7 +150,8 @@ pub(super) const fn places_rounded(ellipsoid: Ellipsoid<f64>, band: Band, height
     (largest(ellipsoid) + height) * DEGREE * angles
 }
 
-/// How far the length of a degree of longitude is off, relative, where an origin's latitude is rounded to single precision.
+/// How far the length of a degree of longitude is off, relative, where an origin's latitude is rounded to
+/// single precision.
 pub(super) const fn middle_rounded(band: Band) -> f64 {
     0.5 * ulp(band.steepest.degrees) * DEGREE * band.tan()
 }

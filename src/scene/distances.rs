@@ -15,15 +15,16 @@ pub struct Distances<T> {
 }
 
 impl Scene {
-    /// Chooses the cheapest method whose distances and azimuths keep the scene's tolerances in the scalar `T`.
+    /// Chooses the cheapest method whose distances and azimuths keep the scene's tolerances in the scalar
+    /// `T`.
     ///
     /// [`Scene::METHODS`] lists the methods and their errors. A place reached by
-    /// [`Geodesic::direct`](crate::geodesic::Geodesic::direct) is off by at most the bound of the distance, plus the
-    /// distance times the bound of the azimuth.
+    /// [`Geodesic::direct`](crate::geodesic::Geodesic::direct) is off by at most the bound of the distance,
+    /// plus the distance times the bound of the azimuth.
     ///
     /// # Errors
-    /// [`SceneError::OutOfReach`] with the smallest bound that a method reaches in this scalar, if none keeps the
-    /// tolerances. Any other [`SceneError`] if the scene itself is refused.
+    /// [`SceneError::OutOfReach`] with the smallest bound that a method reaches in this scalar, if none keeps
+    /// the tolerances. Any other [`SceneError`] if the scene itself is refused.
     ///
     /// ```
     /// use terrella::Ellipsoid;
@@ -57,12 +58,12 @@ impl Scene {
         Err(SceneError::OutOfReach(models.bound(best)))
     }
 
-    /// Takes a method of [`Scene::METHODS`], whatever the tolerances. Its [`bound`](Distances::bound) in this scene is
-    /// infinite where the method does not hold.
+    /// Takes a method of [`Scene::METHODS`], whatever the tolerances. Its [`bound`](Distances::bound) in this
+    /// scene is infinite where the method does not hold.
     ///
     /// # Errors
-    /// [`SceneError::NoBound`] if the method is not one of [`Scene::METHODS`]. Any other [`SceneError`] if the scene
-    /// itself is refused.
+    /// [`SceneError::NoBound`] if the method is not one of [`Scene::METHODS`]. Any other [`SceneError`] if
+    /// the scene itself is refused.
     ///
     /// ```
     /// use terrella::Ellipsoid;

@@ -14,15 +14,15 @@ pub enum SceneError {
     Latitudes([f64; 2]),
     /// The nearest and the farthest distance, in metres: 0 ≤ nearest ≤ farthest < ∞ does not hold.
     Distances([f64; 2]),
-    /// The lowest and the highest height, in metres: −b/2 ≤ lowest ≤ highest ≤ b does not hold, with the polar
-    /// semi-axis b.
+    /// The lowest and the highest height, in metres: −b/2 ≤ lowest ≤ highest ≤ b does not hold, with the
+    /// polar semi-axis b.
     Heights([f64; 2]),
     /// A tolerance that is negative or NaN, in metres or radians.
     Tolerance(f64),
     /// [`Scene::METHODS`](super::Scene::METHODS) has no such method, because no bound of its error is known.
     NoBound(Method),
-    /// No method is accurate enough. The bound is that of the method with the smallest error of a distance or a
-    /// position.
+    /// No method is accurate enough. The bound is that of the method with the smallest error of a distance or
+    /// a position.
     OutOfReach(Bound),
 }
 

@@ -24,13 +24,14 @@ macro_rules! methods {
             /// The methods that [`Scene::distances`] chooses from, the cheapest first.
             ///
             /// [`Haversine`](crate::geodesic::Haversine), [`Bowring`](crate::geodesic::Bowring),
-            /// [`AndoyerSecond`](crate::geodesic::AndoyerSecond) and [`Vincenty`](crate::geodesic::Vincenty) are not among
-            /// them: each takes more instructions than a method with a smaller error, and [`Vincenty`] does not answer
-            /// everywhere.
+            /// [`AndoyerSecond`](crate::geodesic::AndoyerSecond) and [`Vincenty`](crate::geodesic::Vincenty)
+            /// are not among them: each takes more instructions than a method with a smaller error, and
+            /// [`Vincenty`] does not answer everywhere.
             ///
-            /// Let s be a distance, σ = s/b, x = max(0, 2σ/π − 1), r = a(1 − f)², δ the half width of the band of
-            /// latitudes in radians, φ its latitude farthest from the equator and φ₀ the nearest. M and N are the radii of
-            /// curvature in the meridian and across it. The errors of the methods are at most
+            /// Let s be a distance, σ = s/b, x = max(0, 2σ/π − 1), r = a(1 − f)², δ the half width of the
+            /// band of latitudes in radians, φ its latitude farthest from the equator and φ₀ the nearest. M
+            /// and N are the radii of curvature in the meridian and across it. The errors of the methods are
+            /// at most
             ///
             /// | method | of a distance | of an azimuth | where |
             /// |---|---|---|---|
@@ -39,15 +40,16 @@ macro_rules! methods {
             /// and rounding:
             ///
             /// * In `f64`, 2·10⁻¹⁵ s, and 3 nm more for [`Andoyer`].
-            /// * In `f32`, 7·10⁻⁷ s. For [`Karney`], 10⁻⁶ s, but at most 1.5·10⁻⁷ s + 4 m; 33 m half way round where
-            ///   f > 1/150.
-            /// * In `f32`, the rounding of the places: half a unit of each latitude and longitude, 1.9 m at the
-            ///   equator; about an origin, 2⁻²³ of the distance from it.
-            /// * An azimuth is off by 2·10⁻¹⁵ (`f64`) or 10⁻⁶ (`f32`) radians, and by the places' rounding, or 15 nm,
-            ///   divided by the reduced length.
+            /// * In `f32`, 7·10⁻⁷ s. For [`Karney`], 10⁻⁶ s, but at most 1.5·10⁻⁷ s + 4 m; 33 m half way
+            ///   round where f > 1/150.
+            /// * In `f32`, the rounding of the places: half a unit of each latitude and longitude, 1.9 m at
+            ///   the equator; about an origin, 2⁻²³ of the distance from it.
+            /// * An azimuth is off by 2·10⁻¹⁵ (`f64`) or 10⁻⁶ (`f32`) radians, and by the places' rounding,
+            ///   or 15 nm, divided by the reduced length.
             ///
-            /// Lengths are the Earth's, and in proportion elsewhere. The sphere's error is a theorem: no curve is
-            /// longer on the ellipsoid than N/R, or shorter than M/R, times as long as on the sphere of radius R.
+            /// Lengths are the Earth's, and in proportion elsewhere. The sphere's error is a theorem: no
+            /// curve is longer on the ellipsoid than N/R, or shorter than M/R, times as long as on the sphere
+            /// of radius R.
             ///
             /// [`Vincenty`]: crate::geodesic::Vincenty
             pub const METHODS: &[Method] = &[$(Method::$method),*];
