@@ -80,4 +80,27 @@ macro_rules! unknown {
         impl core::error::Error for $error {}
     };
 }
-pub(crate) use unknown;
+
+/// `by_name!(Thing, UnknownThing, "thing")`: text in and out, and the error, of a list with `ALL` and `name`.
+macro_rules! by_name {
+    ($thing:ident, $error:ident, $what:literal) => {
+        impl core::fmt::Display for $thing {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.pad(self.name())
+            }
+        }
+
+        impl core::str::FromStr for $thing {
+            type Err = $error;
+
+            fn from_str(name: &str) -> Result<Self, $error> {
+                let mut all = Self::ALL.iter().copied();
+                all.find(|thing| thing.name() == name)
+                    .ok_or_else(|| $error::new(name))
+            }
+        }
+
+        $crate::name::unknown!($error, $what, $thing::ALL.iter());
+    };
+}
+pub(crate) use {by_name, unknown};

@@ -7,12 +7,19 @@ use crate::position::angle_degrees;
 use crate::{Direction, Ecef, Geodetic, LatLon, Real};
 
 impl<T: Real> Ellipsoid<T> {
-    /// The point at a geodetic latitude, longitude and height.
+    /// Returns the Earth-centred point at a geodetic latitude, longitude and height.
     ///
-    /// X = (N + h) cos φ cos λ, Y = (N + h) cos φ sin λ, Z = ((1 − e²)N + h) sin φ with N = a/√(1 − e² sin² φ).
+    /// X = (N + h) cos φ cos λ, Y = (N + h) cos φ sin λ, Z = ((1 − e²)N + h) sin φ with N = a/√(1 − e² sin²
+    /// φ).
     ///
-    /// Worst error on the Earth: 0.95 nm below 100 km, 6 nm at 50 000 km (`f64`); 0.5 m, 3.2 m (`f32`); 0.82 ulp of the radius. Exactly on the axis at
-    /// the poles, exactly on the axes and planes at multiples of 90°.
+    /// Worst error on the Earth (everywhere at most 0.82 units in the last place of the radius):
+    ///
+    /// | height | `f64` | `f32` |
+    /// |---|---|---|
+    /// | below 100 km | 0.95 nm | 0.5 m |
+    /// | 50 000 km | 6 nm | 3.2 m |
+    ///
+    /// The poles lie exactly on the axis, and multiples of 90° of longitude exactly on the axes and planes.
     ///
     /// ```
     /// use terrella::{Ellipsoid, Geodetic, LatLon};
@@ -21,6 +28,7 @@ impl<T: Real> Ellipsoid<T> {
     /// assert!((x - 3_980_609.0_f64).abs() < 1.0 && (y + 102.0).abs() < 1.0 && (z - 4_966_860.0).abs() < 1.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "geodetic2ecef")]
     #[must_use]
     #[inline]
     pub fn to_ecef(self, position: Geodetic<T>) -> Ecef<T> {
@@ -48,25 +56,41 @@ impl<T: Real> Ellipsoid<T> {
         )
     }
 
-    /// The latitude and longitude of the nearest point of the ellipsoid, and the signed distance from it.
+    /// Returns the latitude and longitude of the nearest point of the ellipsoid, and the signed distance from
+    /// it as height.
     ///
-    /// The nearest for every point: the geocentre, the axis, the plane of the equator and the inside of the evolute (of the
-    /// centres of curvature, within 43 km of the Earth's centre) too; and from the smallest numbers to the largest. A height
-    /// too large for the scalar is its largest number.
+    /// It finds the nearest point for every input: the geocentre, the axis, the plane of the equator, and
+    /// inside the evolute (the surface of the centres of curvature, within 43 km of the Earth's centre).
+    /// Inputs from the smallest to the largest numbers are allowed. A height too large for the scalar is
+    /// returned as its largest number.
     ///
-    /// Where several points are equally near: the northern one (oblate, in the plane of the equator inside the evolute; so
-    /// the geocentre is at latitude 90 and height −b); longitude 0 (prolate, on the axis inside the evolute; so the
-    /// geocentre is at 0° N, 0° E and height −a). The centre of a sphere is at latitude 90. On the axis, the longitude is 0.
+    /// If several points are equally near, it returns
     ///
-    /// Worst error on the Earth, as a displacement of the point itself: 2.2 nm below 100 km and down to the geocentre, 16 nm at
-    /// 50 000 km (`f64`); 1.2 m, 8.5 m (`f32`). Within 60 km of the centre the place on the ground moves by up to 5 nm (3.5 m). Most of that is the last place of the angles; the height alone is within 10 pm (5 mm) between −100 km and
-    /// 100 km, and within 1.2 ulp elsewhere. On the evolute itself any error moves the latitude by its square root, but the
-    /// point found is still as near as the nearest.
+    /// * on an oblate ellipsoid, in the plane of the equator inside the evolute: the northern one. So the
+    ///   geocentre is at latitude 90 and height −b.
+    /// * on a prolate ellipsoid, on the axis inside the evolute: the one at longitude 0. So the geocentre is
+    ///   at 0° N, 0° E and height −a.
+    /// * at the centre of a sphere: the one at latitude 90.
     ///
-    /// Two steps of Bowring's method (Survey Review 23, 1976) from his later guess (Survey Review 28, 1985), in a straight
-    /// line. Where they are not enough, which is within 0.2 a of the Earth's centre and everywhere for ellipsoids flatter
-    /// than about 1/70, and on the axis, the quartic of Vermeille (J. Geodesy 76, 2002; 85, 2011) as solved by Karney, out of
-    /// line and twice as slow. Held for axes within a factor of 100 of each other.
+    /// On the axis, the longitude is 0.
+    ///
+    /// Worst error on the Earth, as a displacement of the point:
+    ///
+    /// | where | `f64` | `f32` |
+    /// |---|---|---|
+    /// | below 100 km, down to the geocentre | 2.2 nm | 1.2 m |
+    /// | at 50 000 km | 16 nm | 8.5 m |
+    /// | height alone, between −100 km and 100 km | 10 pm | 5 mm |
+    /// | place on the ground, within 60 km of the centre | 5 nm | 3.5 m |
+    ///
+    /// Most of it is the last place of the angles. The height alone is within 1.2 ulp elsewhere. On the
+    /// evolute itself, any error moves the latitude by its square root, but the point found is as near as the
+    /// nearest. These errors hold for axes within a factor of 100 of each other.
+    ///
+    /// Two steps of Bowring's method (Survey Review 23, 1976) follow his later guess (Survey Review 28,
+    /// 1985), in a straight line. Where they are not enough (within 0.2 a of the Earth's centre, on the axis,
+    /// and everywhere for ellipsoids flatter than about 1/70), the quartic of Vermeille (J. Geodesy 76, 2002;
+    /// 85, 2011) as solved by Karney is used instead, out of line and twice as slow.
     ///
     /// ```
     /// use terrella::{Ecef, Ellipsoid};
@@ -77,6 +101,7 @@ impl<T: Real> Ellipsoid<T> {
     /// assert_eq!((centre.lat(), centre.height()), (90.0, -earth.b()));
     /// # Ok::<(), terrella::InvalidEcef<f64>>(())
     /// ```
+    #[doc(alias = "ecef2geodetic")]
     #[must_use]
     #[inline]
     pub fn to_geodetic(self, point: Ecef<T>) -> Geodetic<T> {
@@ -107,7 +132,8 @@ impl<T: Real> Ellipsoid<T> {
         Geodetic::within(LatLon::within(lat, atan2_degrees(y, x)), height)
     }
 
-    /// The distance from the centre beyond which two steps of [`Self::normal`] are enough, for any flattening.
+    /// The distance from the centre beyond which two steps of [`Self::normal`] are enough, for any
+    /// flattening.
     #[inline(always)]
     fn newton_radius(self) -> T {
         let e2 = self.e2().abs();
@@ -122,7 +148,8 @@ impl<T: Real> Ellipsoid<T> {
         self.step(rho, z, self.step(rho, z, (z + rise, rho)))
     }
 
-    /// The direction to P from the centre of curvature that belongs to a latitude: Newton's method, were it for one unknown.
+    /// The direction to P from the centre of curvature that belongs to a latitude: Newton's method, were it
+    /// for one unknown.
     #[inline(always)]
     fn step(self, rho: T, z: T, (sin, cos): (T, T)) -> (T, T) {
         let axes = T::ONE - self.f;
@@ -136,8 +163,8 @@ impl<T: Real> Ellipsoid<T> {
 
     /// Latitude in degrees and height, from the sine and cosine of the latitude but for a common factor.
     ///
-    /// h = ρ cos φ + z sin φ − a√(1 − e² sin² φ): an error of φ counts by its square, and what each operation on large
-    /// numbers loses is added back.
+    /// h = ρ cos φ + z sin φ − a√(1 − e² sin² φ): an error of φ counts by its square, and what each operation
+    /// on large numbers loses is added back.
     #[inline(always)]
     fn settle(self, (rho, rho_lost): (T, T), z: T, sin: T, cos: T) -> (T, T) {
         let lat = atan2_degrees(sin, cos);
@@ -158,7 +185,8 @@ impl<T: Real> Ellipsoid<T> {
         (lat, height)
     }
 
-    /// What [`Self::to_geodetic`] leaves: near the centre, on the axis, very far, or where squares leave the scalar's range.
+    /// What [`Self::to_geodetic`] leaves: near the centre, on the axis, very far, or where squares leave the
+    /// scalar's range.
     #[cold]
     #[inline(never)]
     fn to_geodetic_rare(self, point: Ecef<T>) -> Geodetic<T> {
@@ -226,8 +254,9 @@ impl<T: Real> Ellipsoid<T> {
     }
 }
 
-/// The positive root of k⁴ + 2k³ − (p + q − 1)k² − 2qk − q = 0, by its resolvent cubic (Karney, Algorithms for geodesics,
-/// 2013, Eq. 55 and appendix B, where it solves another problem); the cubic is scaled so that nothing overflows.
+/// The positive root of k⁴ + 2k³ − (p + q − 1)k² − 2qk − q = 0, by its resolvent cubic (Karney, Algorithms
+/// for geodesics, 2013, Eq. 55 and appendix B, where it solves another problem); the cubic is scaled so that
+/// nothing overflows.
 fn astroid<T: Real>(p: T, q: T) -> T {
     let scale = max(max(p, q), T::ONE);
     let (ps, qs) = (p / scale, q / scale);

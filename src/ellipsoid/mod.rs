@@ -1,4 +1,4 @@
-//! [`Ellipsoid`]: the size and shape of a planet.
+//! [`Ellipsoid`]: the size and shape of a planet; its named ones, and its conversions to Earth-centred axes.
 
 mod ecef;
 mod named;
@@ -14,8 +14,8 @@ use crate::{Direction, Real};
 ///
 /// The ellipsoid is oblate for f > 0, a sphere for f = 0 and prolate for f < 0.
 ///
-/// The type `Ellipsoid` is `Ellipsoid<f64>`. Named ellipsoids are constants of every scalar. In an expression, Rust does
-/// not assume `f64`, so write the type where nothing else tells it:
+/// The type `Ellipsoid` is `Ellipsoid<f64>`. Named ellipsoids are constants of every scalar. In an
+/// expression, Rust does not assume `f64`, so write the type where nothing else tells it:
 ///
 /// ```
 /// use terrella::Ellipsoid;
@@ -34,6 +34,7 @@ use crate::{Direction, Real};
 /// # assert_eq!(SINGLE.a(), 6_377_000.0);
 /// # Ok::<(), terrella::InvalidEllipsoid<f64>>(())
 /// ```
+#[doc(alias = "spheroid", alias = "datum")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -61,7 +62,8 @@ impl Ellipsoid {
         Ok(Self { a, f })
     }
 
-    /// Returns the ellipsoid with a and f rounded to the nearest `f32`; an f that would round to 1, to the number below.
+    /// Returns the ellipsoid with a and f rounded to the nearest `f32`; an f that would round to 1, to the
+    /// number below.
     #[must_use]
     pub const fn to_f32(self) -> Ellipsoid<f32> {
         let (f, flattest) = (self.f as f32, 1.0 - f32::EPSILON / 2.0);
@@ -119,12 +121,12 @@ impl<T: Real> Ellipsoid<T> {
         Self::new(a, (a - b) / a)
     }
 
-    /// Creates the ellipsoid of a semi-major axis a in metres and an inverse flattening 1/f, which is infinite for a
-    /// sphere.
+    /// Creates the ellipsoid of a semi-major axis a in metres and an inverse flattening 1/f, which is
+    /// infinite for a sphere.
     ///
     /// # Errors
-    /// [`InvalidEllipsoid`] unless a lies in [10⁻¹⁵, 10¹⁵] and f in [−1000, 1). So an inverse flattening of 0, which
-    /// WKT writes for a sphere, is refused: see [`sphere`](Self::sphere).
+    /// [`InvalidEllipsoid`] unless a lies in [10⁻¹⁵, 10¹⁵] and f in [−1000, 1). So an inverse flattening of
+    /// 0, which WKT writes for a sphere, is refused: see [`sphere`](Self::sphere).
     pub fn from_inverse_flattening(a: T, inverse: T) -> Result<Self, InvalidEllipsoid<T>> {
         Self::new(a, T::ONE / inverse)
     }
@@ -143,42 +145,42 @@ impl<T: Real> Ellipsoid<T> {
         Self::new(radius, T::ZERO)
     }
 
-    /// The semi-major axis a, the radius of the equator, in metres.
+    /// Returns the semi-major axis a in metres: the radius of the equator, for f < 0 too.
     #[must_use]
     #[inline(always)]
     pub const fn a(self) -> T {
         self.a
     }
 
-    /// The flattening f.
+    /// Returns the flattening f = (a − b)/a.
     #[must_use]
     #[inline(always)]
     pub const fn f(self) -> T {
         self.f
     }
 
-    /// The polar semi-axis b = a(1 − f) in metres.
+    /// Returns the polar semi-axis b = a(1 − f) in metres.
     #[must_use]
     #[inline]
     pub fn b(self) -> T {
         self.a * (T::ONE - self.f)
     }
 
-    /// The third flattening n = (a − b)/(a + b) = f/(2 − f).
+    /// Returns the third flattening n = (a − b)/(a + b) = f/(2 − f).
     #[must_use]
     #[inline]
     pub fn n(self) -> T {
         self.f / (T::of(2.0) - self.f)
     }
 
-    /// The first eccentricity squared, e² = f(2 − f); negative if prolate.
+    /// Returns the first eccentricity squared, e² = f(2 − f). It is negative for a prolate ellipsoid.
     #[must_use]
     #[inline]
     pub fn e2(self) -> T {
         self.f * (T::of(2.0) - self.f)
     }
 
-    /// The second eccentricity squared, e′² = e²/(1 − e²); negative if prolate.
+    /// Returns the second eccentricity squared, e′² = e²/(1 − e²). It is negative for a prolate ellipsoid.
     #[must_use]
     #[inline]
     pub fn ep2(self) -> T {
@@ -186,21 +188,20 @@ impl<T: Real> Ellipsoid<T> {
         self.e2() / (axes * axes)
     }
 
-    /// The mean radius (2a + b)/3 in metres.
+    /// Returns the mean radius (2a + b)/3 in metres.
     #[must_use]
     pub fn mean_radius(self) -> T {
         self.a * (T::ONE - self.f / T::of(3.0))
     }
 
-    /// The radius in metres of the sphere of equal volume, (a²b)^⅓.
+    /// Returns the radius in metres of the sphere of equal volume, (a²b)^⅓.
     #[must_use]
     pub fn volumetric_radius(self) -> T {
         self.a * cbrt(T::ONE - self.f)
     }
 
-    /// The radius in metres of the sphere of equal area.
-    ///
-    /// a²/2 + b²/2 · atanh(e)/e, with atan in place of atanh if prolate.
+    /// Returns the radius in metres of the sphere of equal area: the root of a²/2 + b²/2 · atanh(e)/e, with
+    /// atan in place of atanh for a prolate ellipsoid.
     #[must_use]
     pub fn authalic_radius(self) -> T {
         self.authalic_radius_squared().sqrt()

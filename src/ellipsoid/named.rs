@@ -9,8 +9,8 @@ use crate::real::literal;
 
 macro_rules! named {
     ($($(#[$doc:meta])* $constant:ident $name:literal $a:expr, $f:expr;)*) => {
-        /// The names that [`Ellipsoid::named`] knows: Earth's ellipsoids first, then the other bodies from the Sun
-        /// outward.
+        /// The names that [`Ellipsoid::named`] knows: Earth's ellipsoids first, then the other bodies from
+        /// the Sun outward.
         pub const NAMED: &[&str] = &[$($name),*];
 
         /// The named ellipsoids, as constants of every scalar.
@@ -65,7 +65,8 @@ named! {
     BESSEL1841 "bessel1841" 6_377_397.155, 1.0 / 299.152_812_8;
     /// Bessel modified, of Norway (EPSG:7005): a = 6 377 492.018 m, 1/f = 299.1528128.
     BESSEL_MODIFIED "bessel-modified" 6_377_492.018, 1.0 / 299.152_812_8;
-    /// Bessel Namibia (EPSG:7046): a = 6 377 397.155 legal German metres of 1.0000135965 m, 1/f = 299.1528128.
+    /// Bessel Namibia (EPSG:7046): a = 6 377 397.155 legal German metres of 1.0000135965 m, 1/f =
+    /// 299.1528128.
     BESSEL_NAMIBIA "bessel-namibia" 6_377_397.155 * 1.000_013_596_5, 1.0 / 299.152_812_8;
     /// Clarke 1858 (EPSG:7007): a = 20 926 348, b = 20 855 233 Clarke's feet of 0.3047972654 m.
     CLARKE1858 "clarke1858" 20_926_348.0 * 0.304_797_265_4, 71_115.0 / 20_926_348.0;
@@ -81,7 +82,8 @@ named! {
     CLARKE1880_RGS "clarke1880-rgs" 6_378_249.145, 1.0 / 293.465;
     /// Clarke 1880 (SGA 1922) (EPSG:7014): a = 6 378 249.2 m, 1/f = 293.46598.
     CLARKE1880_SGA1922 "clarke1880-sga1922" 6_378_249.2, 1.0 / 293.465_98;
-    /// Everest, 1830 definition (EPSG:7042): a = 20 922 931.8, b = 20 853 374.58 Indian feet of 12/39.370142 m.
+    /// Everest, 1830 definition (EPSG:7042): a = 20 922 931.8, b = 20 853 374.58 Indian feet of 12/39.370142
+    /// m.
     EVEREST1830 "everest1830" 20_922_931.8 * (12.0 / 39.370_142), 69_557.22 / 20_922_931.8;
     /// Everest 1830, adjustment of 1937: India, Bangladesh (EPSG:7015): a = 6 377 276.345 m, 1/f = 300.8017.
     EVEREST1830_1937 "everest1830-1937" 6_377_276.345, 1.0 / 300.801_7;

@@ -53,7 +53,7 @@ pub use general::{Line, LinePoint};
 pub use great_circle::GreatCircle;
 pub use haversine::Haversine;
 pub use karney::{Area, Karney, PolygonArea, Solution};
-pub use method::{AnyMethod, Method, UnknownMethod};
+pub use method::{AnyMethod, InvalidMethod, Method, UnknownMethod, Visitor};
 pub use planar_area::{PlanarArea, PlanarPolygon};
 pub use plane::Plane;
 pub use vincenty::Vincenty;

@@ -1,9 +1,8 @@
 //! Auxiliary latitudes: [`Conversion`] from one to another, and [`Shifted`], the step from ellipsoid to sphere.
 
 use core::fmt;
-use core::str::FromStr;
 
-use crate::name::unknown;
+use crate::name::by_name;
 
 mod conversion;
 mod correction;
@@ -39,21 +38,7 @@ macro_rules! names {
             }
         }
 
-        impl fmt::Display for $kind {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.pad(self.name())
-            }
-        }
-
-        impl FromStr for $kind {
-            type Err = $unknown;
-
-            fn from_str(name: &str) -> Result<Self, $unknown> {
-                Self::ALL.iter().copied().find(|k| k.name() == name).ok_or_else(|| $unknown::new(name))
-            }
-        }
-
-        unknown!($unknown, $what, $kind::ALL.iter());
+        by_name!($kind, $unknown, $what);
     };
 }
 

@@ -6,23 +6,23 @@ use super::{Bound, Scene, SceneError};
 use crate::geodesic::{Area, Karney, PlanarArea};
 use crate::{LatLon, Real};
 
-/// The surfaces that areas are taken on, from the cheapest to the dearest.
+/// The surfaces on which a scene measures areas, the cheapest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Surface {
-    /// [`PlanarArea`].
+    /// A plane about the origin: [`PlanarArea`].
     Plane,
-    /// [`Area`].
+    /// The ellipsoid: [`Area`].
     Ellipsoid,
 }
 
 impl Surface {
-    /// Both of them.
+    /// All surfaces, the cheapest first.
     pub const ALL: [Self; 2] = [Self::Plane, Self::Ellipsoid];
 }
 
-/// A scene's model of areas: from [`Scene::areas`].
+/// The surface for the areas of a scene, with its bound: from [`Scene::areas`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Areas<T> {
@@ -33,28 +33,34 @@ pub struct Areas<T> {
 }
 
 impl Scene {
-    /// The cheapest model of the areas of polygons that keeps the tolerance in a scalar.
+    /// Chooses the cheapest surface whose areas of polygons keep the scene's tolerance in the scalar `T`.
     ///
-    /// The tolerance is in metres here, too: the error of an area is at most the tolerance times the
-    /// perimeter, as if the boundary were drawn so far off. The scene's farthest distance is that between any
-    /// two corners, its nearest the length of the shortest edge: the dearer model needs one.
+    /// The tolerance is in metres. An area keeps it if its error in m² is at most the tolerance times the
+    /// perimeter, as if the boundary were drawn that far off. The farthest distance of the scene is that
+    /// between any two corners; the nearest is the length of the shortest edge, which only the ellipsoid
+    /// needs.
     ///
-    /// For distances from n to s, σ = s/r, r = a(1 − f)², latitudes up to φ, the errors are at most the
+    /// For distances from n to s, σ = s/r, r = a(1 − f)² and latitudes up to φ, the errors are at most the
     /// perimeter times
     ///
-    /// | model | metres | where |
+    /// | surface | metres | where |
     /// |---|---|---|
     /// | plane | s (0.038 e²σ² + 0.032 σ⁴) | σ ≤ 0.2 |
-    /// | ellipsoid | 10⁻¹⁵ a/cos(φ + σ/2) + 0.02 f m²/n; 0.1 m²/n if less | s ≤ 0.9 πb; beyond 10⁴ m²/n |
+    /// | ellipsoid | 10⁻¹⁵ a/cos(φ + σ/2) + 0.02 f m²/n, but at most 0.1 m²/n | s ≤ 0.9 πb; beyond, 10⁴ m²/n |
     ///
-    /// and rounding: of the plane 3·10⁻¹⁶ s in `f64`, 1.2·10⁻⁷ s in `f32`. For the ellipsoid in `f32` the
-    /// constants are 6·10⁻⁷, 10⁷ m² and 6·10⁷ m², and beyond 0.9 πb there is no bound. In `f32` there is the
-    /// corners' own rounding, too: half a unit of latitude and longitude, 0.95 m at the equator; about an
-    /// origin 2⁻²⁴ of the way to it. Areas are the Earth's, and in proportion elsewhere.
+    /// and rounding:
+    ///
+    /// * On the plane, 3·10⁻¹⁶ s in `f64` and 1.2·10⁻⁷ s in `f32`.
+    /// * On the ellipsoid in `f32`, the constants of the table are 6·10⁻⁷, 10⁷ m² and 6·10⁷ m², and there is
+    ///   no bound beyond 0.9 πb.
+    /// * In `f32`, the corners' own rounding: half a unit of latitude and longitude, 0.95 m at the equator;
+    ///   about an origin, 2⁻²⁴ of the distance from it.
+    ///
+    /// Areas are the Earth's, and in proportion elsewhere.
     ///
     /// # Errors
-    /// [`SceneError::OutOfReach`] with the bound of the best model in this scalar; the others if the scene is
-    /// none.
+    /// [`SceneError::OutOfReach`] with the smaller bound, if neither surface keeps the tolerance. Any other
+    /// [`SceneError`] if the scene itself is refused.
     ///
     /// ```
     /// use terrella::scene::{Areas, Scene, Surface};
@@ -68,7 +74,7 @@ impl Scene {
     /// assert_eq!(AREAS.surface(), Surface::Plane);
     /// let corners = [(0.0, 0.0), (0.0, 0.001), (0.001, 0.001), (0.001, 0.0)];
     /// let corners = corners.map(|(north, east)| LatLon::new(north, east).unwrap());
-    /// assert!((AREAS.method().area(corners) - 7641.537).abs() < 0.005);
+    /// assert!((AREAS.solver().area(corners) - 7641.537).abs() < 0.005);
     /// // Countries, their boundaries to 10 micrometres, no edge shorter than 10 km.
     /// let countries = Scene::new(Ellipsoid::WGS84).latitudes(-60.0, 75.0).between(1e4, 1e7).within(1e-5);
     /// assert_eq!(countries.areas::<f64>()?.surface(), Surface::Ellipsoid);
@@ -91,11 +97,11 @@ impl Scene {
         }
     }
 
-    /// A model of areas, whatever the tolerance: its [`bound`](Areas::bound) in this scene, infinite where
-    /// the model is none.
+    /// Takes a surface, whatever the tolerance. Its [`bound`](Areas::bound) in this scene is infinite where
+    /// the surface does not hold.
     ///
     /// # Errors
-    /// If the scene is none.
+    /// A [`SceneError`] if the scene itself is refused.
     pub const fn areas_by<T: Real>(&self, surface: Surface) -> Result<Areas<T>, SceneError> {
         if let Some(error) = self.fault() {
             return Err(error);
@@ -162,22 +168,24 @@ impl<T: Real> Areas<T> {
         }
     }
 
-    /// The surface.
+    /// Returns the surface.
     #[must_use]
     pub const fn surface(&self) -> Surface {
         self.surface
     }
 
-    /// What times the perimeter no error of an area exceeds: metres.
+    /// Returns the bound in metres: the error of an area in m² never exceeds the bound times the perimeter.
     #[must_use]
     pub const fn bound(&self) -> f64 {
         self.bound
     }
 
-    /// The model, ready.
+    /// Returns what measures areas on the surface, ready to use.
+    ///
+    /// In a constant scene, only this one is linked.
     #[must_use]
     #[inline(always)]
-    pub fn method(&self) -> AnyArea<T> {
+    pub fn solver(&self) -> AnyArea<T> {
         let ellipsoid = self.scene.ellipsoid.rounded();
         match self.surface {
             Surface::Plane => {
@@ -194,21 +202,22 @@ impl<T: Real> Areas<T> {
     }
 }
 
-/// The model that a scene chose, on its ellipsoid: [`Areas::method`].
+/// The surface that a scene chose, ready to use: from [`Areas::solver`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[allow(clippy::large_enum_variant)] // nothing here allocates
 #[non_exhaustive]
 pub enum AnyArea<T> {
-    /// [`Surface::Plane`].
+    /// Of [`Surface::Plane`].
     Plane(PlanarArea<T>),
-    /// [`Surface::Ellipsoid`].
+    /// Of [`Surface::Ellipsoid`].
     Ellipsoid(Area<T>),
 }
 
 impl<T: Real> AnyArea<T> {
-    /// The area in m² of the polygon with these corners, positive if they run counter-clockwise; of a
-    /// [local](Scene::local) scene they are given as degrees from the origin.
+    /// Returns the area of a polygon in m², positive if its corners run counter-clockwise.
+    ///
+    /// In a [local](Scene::local) scene, pass the corners as degrees north and east of the origin.
     #[must_use]
     #[inline(always)]
     pub fn area(&self, corners: impl IntoIterator<Item = LatLon<T>>) -> T {

@@ -113,7 +113,8 @@ pub(super) const fn hypot(x: f64, y: f64) -> f64 {
     x.max(y) + 0.4143 * x.min(y)
 }
 
-/// The distance between neighbours of a number of degrees in single precision, 2⁻²³ of the power of two at or below it.
+/// The distance between neighbours of a number of degrees in single precision, 2⁻²³ of the power of two at or
+/// below it.
 pub(super) const fn ulp(degrees: f64) -> f64 {
     f64::from_bits(degrees.to_bits() & 0x7ff0_0000_0000_0000) * f32::EPSILON as f64
 }

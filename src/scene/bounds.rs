@@ -1,25 +1,37 @@
-//! The bounds of [`Scene::distances`](super::Scene::distances): its table of formulas, and the rounding.
+//! The bounds of [`Scene::distances`](super::Scene::distances), from what `methods` says of each method.
 
+use super::Scene;
 use super::band::{Band, DEGREE, Parallel, e2, hypot, ulp};
-use super::{Bound, Model, Scene};
 use crate::Ellipsoid;
+use crate::geodesic::Method;
 
 const PI: f64 = core::f64::consts::PI;
 
+/// The largest errors that a method makes in a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Bound {
+    /// The error of a distance or a position, in metres.
+    pub distance: f64,
+    /// The error of an azimuth between places no nearer than the scene's nearest, in radians. It is infinite
+    /// if that distance is 0.
+    pub azimuth: f64,
+}
+
 /// What the formulas take of a scene.
 pub(super) struct Models {
-    ellipsoid: Ellipsoid<f64>,
-    band: Band,
+    pub ellipsoid: Ellipsoid<f64>,
+    pub band: Band,
     near: f64,
-    far: f64,
-    single: bool,
-    local: bool,
+    pub far: f64,
+    pub single: bool,
+    pub local: bool,
     /// Both places moved to the nearest numbers: metres.
     input: f64,
     /// The tangent of the farthest latitude.
     tan: f64,
     /// The farthest distance over the smallest radius of curvature.
-    arc: f64,
+    pub arc: f64,
 }
 
 impl Models {
@@ -55,71 +67,30 @@ impl Models {
         [0.5 * (m + n), 0.5 * (n - m) / m + slack]
     }
 
-    pub const fn bound(&self, model: Model) -> Bound {
+    pub const fn bound(&self, method: Method) -> Bound {
         Bound {
-            distance: self.distance(model),
-            azimuth: self.azimuth(model),
+            distance: self.distance(method),
+            azimuth: self.azimuth(method),
         }
     }
 
-    pub const fn distance(&self, model: Model) -> f64 {
-        let (s, f, size) = (self.far, self.ellipsoid.f(), self.ellipsoid.a() / 6_378_137.0);
-        let truncation = match model {
-            _ if !self.holds(model) => f64::INFINITY,
-            Model::Plane => self.flat() + s * self.bent(),
-            Model::Flat => self.flat(),
-            Model::Sphere => {
-                let [_, off] = self.sphere();
-                off * s
-            }
-            Model::Andoyer => {
-                let [sigma, beyond, short] = self.angle();
-                let a = self.ellipsoid.a();
-                (1.2 * a * f * f * (0.125 * sigma + 1.08 * beyond / short)).min(2.0 * a * f)
-            }
-            Model::Karney => 0.0,
+    pub const fn distance(&self, method: Method) -> f64 {
+        let truncation = if self.holds(method) {
+            self.distance_truncated(method)
+        } else {
+            f64::INFINITY
         };
-        let rounding = match (self.single, model) {
-            (false, Model::Plane | Model::Flat | Model::Sphere) => 2e-15 * s,
-            (false, Model::Andoyer) => 2e-15 * s + 3e-9 * size,
-            (false, Model::Karney) if f <= 1.0 / 150.0 => 7e-9 * size,
-            (false, Model::Karney) => 1.2e-8 * size,
-            (true, Model::Plane | Model::Flat | Model::Sphere | Model::Andoyer) => 7e-7 * s,
-            // Half way round the equator, where the straight lines do not hold.
-            (true, Model::Karney) if f > 1.0 / 150.0 && self.arc > 0.97 * PI => 33.0 * size,
-            (true, Model::Karney) => (1e-6 * s).min(1.5e-7 * s + 4.0 * size),
-        };
-        truncation + rounding + self.input
+        truncation + self.rounding(method) + self.input
     }
 
-    pub const fn azimuth(&self, model: Model) -> f64 {
-        let (f, size) = (self.ellipsoid.f(), self.ellipsoid.a() / 6_378_137.0);
-        let turned = 1.25 * self.arc * self.arc * (0.033 + 0.027 * self.tan * self.tan);
-        let truncation = match model {
-            _ if !self.holds(model) => f64::INFINITY,
-            Model::Plane => {
-                let half = self.band.half;
-                turned + self.bent() + self.arc * half * half * half / 12.0
-            }
-            Model::Flat => turned,
-            Model::Sphere => {
-                let [_, beyond, short] = self.angle();
-                let cos = self.band.flattest.cos + 1e-7;
-                (1.2 * f * cos * cos * (1.0 + 1.45 * beyond * beyond / short)).min(PI)
-            }
-            Model::Andoyer => {
-                let [sigma, _, short] = self.angle();
-                let turn = sigma / (PI * short);
-                (1.2 * f * f * (0.33 + 2.9 * turn * turn)).min(PI)
-            }
-            Model::Karney => 0.0,
+    pub const fn azimuth(&self, method: Method) -> f64 {
+        let truncation = if self.holds(method) {
+            self.azimuth_truncated(method)
+        } else {
+            f64::INFINITY
         };
         // What is off across the line turns it by so much of its reduced length.
-        let across = match (self.single, model) {
-            (false, Model::Plane | Model::Flat | Model::Sphere) => 0.0,
-            (false, Model::Andoyer | Model::Karney) => 1.5e-8 * size,
-            (true, _) => self.input,
-        };
+        let across = if self.single { self.input } else { self.across(method) };
         let relative = if self.single { 1e-6 } else { 2e-15 };
         truncation
             + self
@@ -127,34 +98,40 @@ impl Models {
                 .max(self.turn(self.far, relative, across))
     }
 
-    /// Whether the model is one at all.
-    const fn holds(&self, model: Model) -> bool {
-        let lean = self.arc * self.tan;
-        match model {
-            Model::Plane => self.arc <= 0.5 && lean <= 0.5 && self.band.half <= 0.3,
-            _ if self.local => false,
-            Model::Flat => self.arc <= 0.5 && lean <= 0.5,
-            _ => true,
-        }
+    /// The ellipsoid's size, in Earths.
+    pub const fn size(&self) -> f64 {
+        self.ellipsoid.a() / 6_378_137.0
     }
 
-    const fn flat(&self) -> f64 {
+    /// Whether a plane holds.
+    pub const fn flat_holds(&self) -> bool {
+        self.arc <= 0.5 && self.arc * self.tan <= 0.5
+    }
+
+    /// How far a plane's azimuths are off, in radians.
+    pub const fn flat_turned(&self) -> f64 {
+        1.25 * self.arc * self.arc * (0.033 + 0.027 * self.tan * self.tan)
+    }
+
+    /// How far a plane's distances are off, in metres.
+    pub const fn flat(&self) -> f64 {
         1.25 / 24.0 * self.far * self.arc * self.arc * (0.26 + 1.13 * self.tan * self.tan)
     }
 
     /// How far a scale that is a polynomial of latitude is off, relative.
-    const fn bent(&self) -> f64 {
+    pub const fn bent(&self) -> f64 {
         let half = self.band.half;
         1.1 / 6.0 * half * half * half * (self.tan + 6.0 * e2(self.ellipsoid) + 0.25 * half)
     }
 
     /// σ, how far it is past a right angle in right angles, and what it lacks to π.
-    const fn angle(&self) -> [f64; 3] {
+    pub const fn angle(&self) -> [f64; 3] {
         let sigma = (self.far / polar_radius(self.ellipsoid)).min(PI);
         [sigma, (2.0 / PI * sigma - 1.0).max(0.0), PI - sigma]
     }
 
-    /// An azimuth's error between places a distance apart, of a relative one and one in metres: over the reduced length, which is at least (s/π)(π − 2πf − s/b)(1 − 2f).
+    /// An azimuth's error between places a distance apart, of a relative one and one in metres: over the
+    /// reduced length, which is at least (s/π)(π − 2πf − s/b)(1 − 2f).
     const fn turn(&self, s: f64, relative: f64, across: f64) -> f64 {
         let f = self.ellipsoid.f();
         let share = (1.0 - 2.0 * f) * (1.0 - 2.0 * f - s / (PI * polar_radius(self.ellipsoid)));
@@ -173,7 +150,8 @@ pub(super) const fn places_rounded(ellipsoid: Ellipsoid<f64>, band: Band, height
     (largest(ellipsoid) + height) * DEGREE * angles
 }
 
-/// How far the length of a degree of longitude is off, relative, where an origin's latitude is rounded to single precision.
+/// How far the length of a degree of longitude is off, relative, where an origin's latitude is rounded to
+/// single precision.
 pub(super) const fn middle_rounded(band: Band) -> f64 {
     0.5 * ulp(band.steepest.degrees) * DEGREE * band.tan()
 }

@@ -1,6 +1,7 @@
 use core::fmt;
 
 use super::Bound;
+use crate::geodesic::Method;
 
 /// Why a question about a scene has no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,15 +10,19 @@ use super::Bound;
 pub enum SceneError {
     /// The flattening is not in [0, 1/100].
     Flattening(f64),
-    /// The southern and the northern latitude are not in this order in [−90, 90].
+    /// The latitudes of south and north, in degrees: −90 ≤ south ≤ north ≤ 90 does not hold.
     Latitudes([f64; 2]),
-    /// The nearest and the farthest distance are not in this order, not negative and finite.
+    /// The nearest and the farthest distance, in metres: 0 ≤ nearest ≤ farthest < ∞ does not hold.
     Distances([f64; 2]),
-    /// The lowest and the highest height are not in this order, from minus a half to the whole of the polar radius.
+    /// The lowest and the highest height, in metres: −b/2 ≤ lowest ≤ highest ≤ b does not hold, with the
+    /// polar semi-axis b.
     Heights([f64; 2]),
-    /// A tolerance that is negative or not a number.
+    /// A tolerance that is negative or NaN, in metres or radians.
     Tolerance(f64),
-    /// No model is good enough. This is what the one of the smallest error of distances or positions reaches.
+    /// [`Scene::METHODS`](super::Scene::METHODS) has no such method, because no bound of its error is known.
+    NoBound(Method),
+    /// No method is accurate enough. The bound is that of the method with the smallest error of a distance or
+    /// a position.
     OutOfReach(Bound),
 }
 
@@ -25,16 +30,23 @@ impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Flattening(flattening) => write!(f, "flattening {flattening} is not in [0, 1/100]"),
-            Self::Latitudes(band) => write!(f, "latitudes {band:?} are not in order in [-90, 90]"),
-            Self::Distances(distances) => write!(f, "distances {distances:?} are not in order and finite"),
-            Self::Heights(heights) => write!(f, "heights {heights:?} are not in order, or too far from the ellipsoid"),
-            Self::Tolerance(tolerance) => write!(f, "tolerance {tolerance} is negative or not a number"),
-            Self::OutOfReach(Bound { distance, azimuth }) => {
+            Self::Latitudes(band) => write!(f, "latitudes {band:?}: expected -90 <= south <= north <= 90"),
+            Self::Distances(distances) => {
                 write!(
                     f,
-                    "no model is good enough: {distance:e} m and {azimuth:e} rad can be had"
+                    "distances {distances:?}: expected 0 <= nearest <= farthest < infinity"
                 )
             }
+            Self::Heights(heights) => write!(
+                f,
+                "heights {heights:?}: expected -b/2 <= lowest <= highest <= b, with the polar semi-axis b"
+            ),
+            Self::Tolerance(tolerance) => write!(f, "tolerance {tolerance}: expected a number that is not negative"),
+            Self::NoBound(method) => write!(f, "no bound is known for the method {method}"),
+            Self::OutOfReach(Bound { distance, azimuth }) => write!(
+                f,
+                "no method is accurate enough; the best one reaches {distance:e} m and {azimuth:e} rad"
+            ),
         }
     }
 }

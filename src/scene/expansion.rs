@@ -1,9 +1,11 @@
 use crate::math::sin_cos_degrees;
 use crate::{Ellipsoid, Enu, Geodetic, LatLon, Real};
 
-/// East, north and up of an origin by Taylor's series in latitude, longitude and height: a dozen multiplications, no sine.
+/// Converts positions to east, north and up of an origin by a Taylor series in latitude, longitude and
+/// height: a dozen multiplications, no sine.
 ///
-/// With ρ = (N + h) cos φ, μ = M + h at the origin, and differences Δφ, Δλ in radians, Δh:
+/// With ρ = (N + h) cos φ and μ = M + h at the origin, and with the differences Δφ, Δλ in radians and Δh in
+/// metres:
 ///
 /// | | first order | second order adds |
 /// |---|---|---|
@@ -11,17 +13,18 @@ use crate::{Ellipsoid, Enu, Geodetic, LatLon, Real};
 /// | north | μ Δφ | ½ρ sin φ Δλ² + ½M′ Δφ² + Δφ Δh |
 /// | up | Δh | −½μ Δφ² − ½ρ cos φ Δλ² |
 ///
-/// [`Scene::positions`](super::Scene::positions) has the bounds.
+/// [`Scene::positions`](super::Scene::positions) states the errors.
 ///
 /// ```
 /// use terrella::scene::Expansion;
 /// use terrella::{Ellipsoid, Geodetic, LatLon};
 /// let field = Geodetic::new(LatLon::new(47.4_f32, 8.55)?, 430.0)?;
 /// let about = Expansion::local(Ellipsoid::WGS84, field);
-/// // So many degrees north and east, and metres up, of the field.
+/// // Degrees north and east, and metres up, of the field.
 /// let drone = Geodetic::new(LatLon::new(0.001, 0.002)?, 60.0)?;
 /// let enu = about.second_order(drone);
-/// assert!((enu.east - 150.982).abs() < 1e-3 && (enu.north - 111.189).abs() < 1e-3 && (enu.up - 59.997).abs() < 1e-3);
+/// assert!((enu.east - 150.982).abs() < 1e-3 && (enu.north - 111.189).abs() < 1e-3);
+/// assert!((enu.up - 59.997).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +40,7 @@ pub struct Expansion<T> {
 }
 
 impl<T: Real> Expansion<T> {
-    /// About an origin.
+    /// Creates the series about an origin.
     #[must_use]
     pub fn new(ellipsoid: Ellipsoid<T>, origin: Geodetic<T>) -> Self {
         Self {
@@ -46,7 +49,8 @@ impl<T: Real> Expansion<T> {
         }
     }
 
-    /// About an origin, for positions given as degrees north and east and metres up of it.
+    /// Creates the series about an origin, for positions that are given as degrees north and east, and metres
+    /// up, of it.
     #[must_use]
     pub fn local(ellipsoid: Ellipsoid<T>, origin: Geodetic<T>) -> Self {
         let (sin, cos) = sin_cos_degrees(origin.lat());
@@ -76,7 +80,7 @@ impl<T: Real> Expansion<T> {
         ]
     }
 
-    /// The first order: a plane.
+    /// Returns east, north and up in metres to the first order.
     #[must_use]
     #[inline(always)]
     pub fn first_order(&self, position: Geodetic<T>) -> Enu<T> {
@@ -88,7 +92,7 @@ impl<T: Real> Expansion<T> {
         }
     }
 
-    /// The second order: a plane that is bent.
+    /// Returns east, north and up in metres to the second order.
     #[must_use]
     #[inline(always)]
     pub fn second_order(&self, position: Geodetic<T>) -> Enu<T> {

@@ -3,45 +3,47 @@ use super::{Scene, SceneError};
 use crate::latitude::{Shift, Shifted};
 use crate::{Ellipsoid, Real};
 
-/// What the ground may be taken for. Only [`Scene::figure`] and [`Scene::figures`] make one, of a scene that
-/// they have checked.
+/// The shape by which the ground may be replaced: from [`Scene::figure`] or [`Scene::figures`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Figure {
-    /// A sphere, its latitudes the geodetic ones.
+    /// A sphere with the geodetic latitude as its latitude: no shift.
     #[non_exhaustive]
     Sphere {
-        /// Metres.
+        /// The radius in metres.
         radius: f64,
-        /// No place is farther from its own, in metres.
+        /// The bound in metres: no place is farther from its true position.
         bound: f64,
     },
-    /// A sphere, its latitudes the geocentric ones: places stand in their true directions.
+    /// A sphere with the geocentric latitude as its latitude: places stand in their true directions.
     #[non_exhaustive]
     Shifted {
-        /// Metres.
+        /// The radius in metres.
         radius: f64,
         /// The ellipsoid whose latitudes are shifted.
         ellipsoid: Ellipsoid<f64>,
-        /// No place is farther from its own, in metres.
+        /// The bound in metres: no place is farther from its true position.
         bound: f64,
     },
     /// The ellipsoid.
     #[non_exhaustive]
     Ellipsoid {
-        /// The scene's.
+        /// The ellipsoid of the scene.
         ellipsoid: Ellipsoid<f64>,
     },
 }
 
 impl Scene {
-    /// Whether ellipsoid and shift matter: the simplest ground on which no place is farther from its own than the tolerance.
+    /// Chooses the simplest ground on which no place is farther from its true position than the scene's
+    /// tolerance.
     ///
-    /// With h = √(a² cos²φ + b² sin²φ), a sphere without shift is off by (h₀ − h₁)/2 up and (a² − b²)|sin φ cos φ|/h across, heights included: normals are
-    /// kept. With the geocentric shift a place at the radius ρ is off by (ρ₀ − ρ₁)/2 along it, and heights by their normals' lean, at most e²/(2 − e²) of them.
+    /// With h = √(a² cos²φ + b² sin²φ), a sphere without shift is off by (h₀ − h₁)/2 up and by (a² − b²)|sin
+    /// φ cos φ|/h across, at any height, since normals are kept. With the geocentric shift, a place at the
+    /// radius ρ is off by (ρ₀ − ρ₁)/2 along it, and heights by the lean of their normals, at most e²/(2 − e²)
+    /// of them.
     ///
     /// # Errors
-    /// If the scene is none; a tolerance of 0 has the answer [`Figure::Ellipsoid`].
+    /// A [`SceneError`] if the scene itself is refused. A tolerance of 0 gives [`Figure::Ellipsoid`].
     ///
     /// ```
     /// use terrella::Ellipsoid;
@@ -65,10 +67,10 @@ impl Scene {
         }
     }
 
-    /// Both spheres, whatever the tolerance.
+    /// Returns both spheres, without and with the geocentric shift, whatever the tolerance.
     ///
     /// # Errors
-    /// If the scene is none.
+    /// A [`SceneError`] if the scene itself is refused.
     pub const fn figures(&self) -> Result<[Figure; 2], SceneError> {
         if let Some(error) = self.fault() {
             return Err(error);
@@ -102,7 +104,8 @@ impl Scene {
 }
 
 impl Figure {
-    /// No place is farther from its own, in metres; rounding aside, 0 for the ellipsoid.
+    /// Returns the bound in metres: no place is farther from its true position. It is 0 for the ellipsoid,
+    /// apart from rounding.
     #[must_use]
     pub const fn bound(&self) -> f64 {
         match self {
@@ -111,7 +114,7 @@ impl Figure {
         }
     }
 
-    /// The ground, for what needs an ellipsoid.
+    /// Returns the ground as an ellipsoid; a sphere is one with f = 0.
     #[must_use]
     pub fn ground<T: Real>(&self) -> Ellipsoid<T> {
         match self {
@@ -120,7 +123,8 @@ impl Figure {
         }
     }
 
-    /// The step from latitude and longitude to the sphere: nothing, the geocentric shift, or that asked for.
+    /// Returns the step from latitude and longitude to the sphere: no shift, the geocentric shift, or, for
+    /// the ellipsoid, `shift`.
     #[must_use]
     pub fn shifted<T: Real>(&self, shift: Shift) -> Shifted<T> {
         match self {

@@ -1,40 +1,43 @@
-//! No more than the scene needs: the cheapest model that keeps a tolerance, chosen before anything is computed.
+//! Chooses the cheapest formula that keeps a tolerance, before anything is computed.
 //!
-//! A [`Scene`] is what a caller knows: an ellipsoid, latitudes, distances, heights and the error that does no harm. Each question has an answer with a bound
-//! that holds, or an error with what would be reached:
+//! A [`Scene`] describes a task: an ellipsoid, latitudes, distances, heights, and the error that does no
+//! harm. Each question returns an answer with a bound of its error, or an error with the bound that could be
+//! reached:
 //!
-//! | question | answers, the cheapest first |
+//! | question | possible answers, the cheapest first |
 //! |---|---|
-//! | [`Scene::distances`] | [`Plane`](crate::geodesic::Plane), [`Flat`](crate::geodesic::Flat), the sphere of the best radius, [`Andoyer`](crate::geodesic::Andoyer), [`Karney`](crate::geodesic::Karney) |
+//! | [`Scene::distances`] | the methods in [`Scene::METHODS`], from [`Plane`](crate::geodesic::Plane) to [`Karney`](crate::geodesic::Karney) |
 //! | [`Scene::areas`] | [`PlanarArea`](crate::geodesic::PlanarArea), [`Area`](crate::geodesic::Area) |
 //! | [`Scene::positions`] | [`Expansion`] of the first order, of the second, [`LocalFrame`](crate::LocalFrame) |
 //! | [`Scene::scalar`] | `f32`, `f32` about an origin, `f64` |
 //! | [`Scene::figure`] | a sphere without a shift, a sphere with one, the ellipsoid |
-//! | [`Scene::tiles`] | from which level a tile is its four corners, or a series |
+//! | [`Scene::tiles`] | the level from which a tile is its four corners, or a series |
 //!
-//! Every question is a `const fn` and takes some 70 to 110 ns at run time (`scalar`, which asks three times, 200). A constant scene is answered by the compiler: a scene that nothing can serve does not compile, and
-//! what was not chosen is not linked.
+//! Every question is a `const fn`. At run time it takes 70 to 110 ns (`scalar`, which asks three times, 200
+//! ns). For a constant scene the compiler answers: a scene that no formula can serve does not compile, and
+//! formulas that were not chosen are not linked.
 //!
-//! **A quadcopter's geofence**: a kilometre about the field, five centimetres, single precision. Differences from the field's middle in degrees fit it, and a plane.
+//! **A quadcopter's geofence**: a kilometre about the field, five centimetres, single precision. A plane is
+//! enough, if places are given as degrees from the middle of the field.
 //!
 //! ```
-//! use terrella::geodesic::Geodesic;
-//! use terrella::scene::{Distances, Model, Positions, Scalar, Scene, View};
+//! use terrella::geodesic::{Geodesic, Method};
+//! use terrella::scene::{Distances, Positions, Scalar, Scene, View};
 //! use terrella::{Ellipsoid, Geodetic, LatLon};
 //!
 //! const FIELD: Scene = Scene::around(Ellipsoid::WGS84, 47.4, 1000.0).heights(400.0, 550.0).within(0.05);
 //! assert_eq!(FIELD.scalar()?, Scalar::Local); // degrees in f32 are up to 0.9 m off
 //! const WAY: Distances<f32> = match FIELD.local().distances() {
 //!     Ok(way) => way,
-//!     Err(_) => panic!("no model is good enough"), // would not compile
+//!     Err(_) => panic!("no method is accurate enough"), // would not compile
 //! };
-//! assert_eq!(WAY.model(), Model::Plane);
+//! assert_eq!(WAY.method(), Method::Plane);
 //! assert!(WAY.bound().distance < 0.002);
-//! let fence = WAY.method();
+//! let fence = WAY.solver();
 //! let (home, drone) = (LatLon::new(0.0, 0.0)?, LatLon::new(0.004_5, -0.006)?);
 //! assert!((fence.inverse(home, drone)?.distance - 674.850).abs() < 0.002);
 //!
-//! // East, north and up of the field.
+//! // East, north and up of the field's middle.
 //! let positions: Positions<f32> = FIELD.local().up_to(1000.0).positions()?;
 //! assert_eq!(positions.view(), View::Quadratic);
 //! let about = positions.about(Geodetic::new(LatLon::new(47.4, 8.55)?, 430.0)?);
@@ -42,24 +45,25 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **An airliner's leg**: 9000 km, any latitude. What ten metres need is good for a millimetre, too; twenty are cheaper.
+//! **An airliner's leg**: 9000 km, any latitude. A tolerance of ten metres already needs the exact method;
+//! one of twenty metres does not.
 //!
 //! ```
-//! use terrella::geodesic::Geodesic;
-//! use terrella::scene::{Distances, Model, Scene};
+//! use terrella::geodesic::{Geodesic, Method};
+//! use terrella::scene::{Distances, Scene};
 //! use terrella::{Ellipsoid, LatLon};
 //!
 //! const LEG: Scene = Scene::new(Ellipsoid::WGS84).up_to(9_000_000.0);
-//! let model = |metres| LEG.within(metres).distances::<f64>().map(|leg| leg.model());
-//! assert_eq!([model(20.0)?, model(10.0)?, model(0.001)?], [Model::Andoyer, Model::Karney, Model::Karney]);
+//! let method = |metres| LEG.within(metres).distances::<f64>().map(|leg| leg.method());
+//! assert_eq!([method(20.0)?, method(10.0)?], [Method::Andoyer, Method::Karney]);
 //! let leg: Distances<f64> = LEG.within(0.001).distances()?;
 //! let (zurich, johannesburg) = (LatLon::new(47.458, 8.548)?, LatLon::new(-26.139, 28.246)?);
-//! let way = leg.method().inverse(zurich, johannesburg)?;
+//! let way = leg.solver().inverse(zurich, johannesburg)?;
 //! assert_eq!(format!("{:.3}", way.distance), "8386734.099");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **A planet renderer's view**: pixels of half a milliradian, and what one of them hides.
+//! **A planet renderer's view**: the tolerance is one pixel of half a milliradian.
 //!
 //! ```
 //! use terrella::Ellipsoid;
@@ -68,20 +72,26 @@
 //!
 //! const EARTH: Scene = Scene::new(Ellipsoid::WGS84).heights(-11_000.0, 9_000.0);
 //! let from = |metres| EARTH.within_pixels(1.0, 5e-4, metres);
-//! // The ellipsoid is a sphere from beyond 50 000 km, with the geocentric shift from half as far.
+//! // From 50 000 km the ellipsoid looks like a sphere; from half as far, like one with the geocentric shift.
 //! assert!(matches!(from(50e6).figure()?, Figure::Sphere { .. }));
 //! assert!(matches!(from(25e6).figure()?, Figure::Shifted { .. }));
 //! assert!(matches!(from(20e6).figure()?, Figure::Ellipsoid { .. }));
-//! // Tiles seen from no nearer than 1000 km are their four corners from level 7 on, from 1 km from level 12.
+//! // Seen from 1000 km, tiles of level 7 need only their four corners; seen from 1 km, those of level 12.
 //! let tiles = |metres| from(metres).tiles(Projection::Adjusted).map(|tiles| (tiles.plain, tiles.series));
 //! assert_eq!(tiles(1e6)?, (Some(7), Some(5)));
 //! assert_eq!(tiles(1e3)?, (Some(12), Some(9)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Bounds are formulas, stated with the questions: from Taylor's theorem and the metric where that is short, else the form that theory gives, with the factors of a search (`tests/scene/search.rs`) and a fifth or a quarter more. They
-//! hold for spheres and oblate ellipsoids to f = 1/100 of any size; others are refused. `cargo test --release --test scene -- --ignored --nocapture` draws a million scenes of each kind and places in
-//! them: no bound is exceeded, half of the bounds are less than 1.4 times the largest error (of distances in `f64`), and where a cheaper model's error is less than a quarter of the tolerance it was taken in 97 of 100.
+//! The bounds are formulas, which each question states. Where Taylor's theorem and the metric give a short
+//! one, it is proved; elsewhere the theory gives the form, a search (`tests/scene/search.rs`) the factors,
+//! and the formula adds a fifth or a quarter. They hold for spheres and for oblate ellipsoids of any size
+//! with f ≤ 1/100; others are refused.
+//!
+//! `cargo test --release --test scene -- --ignored --nocapture` draws a million scenes of each kind, and
+//! places in them. No bound is exceeded. Half of the bounds are less than 1.4 times the largest error (of
+//! distances in `f64`). Where a cheaper method's error is less than a quarter of the tolerance, the scene
+//! takes it in 97 of 100 cases.
 
 mod areas;
 mod band;
@@ -90,17 +100,17 @@ mod distances;
 mod error;
 mod expansion;
 mod figure;
-mod model;
+mod methods;
 mod positions;
 mod scalar;
 mod tiles;
 
 pub use areas::{AnyArea, Areas, Surface};
+pub use bounds::Bound;
 pub use distances::Distances;
 pub use error::SceneError;
 pub use expansion::Expansion;
 pub use figure::Figure;
-pub use model::{AnyModel, Bound, Model};
 pub use positions::{AnyView, Positions, View};
 pub use scalar::Scalar;
 pub use tiles::Tiles;
@@ -108,9 +118,11 @@ pub use tiles::Tiles;
 use crate::Ellipsoid;
 use band::{DEGREE, Parallel};
 
-/// What is known of a scene, and what harms it.
+/// A task: where the places are, and which error does no harm.
 ///
-/// All of the ellipsoid, to begin with: every latitude, any two places, no heights; no tolerance in metres, any in azimuths. What is wrong with it the questions say.
+/// [`Scene::new`] describes the whole ellipsoid: every latitude, any two places, height 0, a tolerance of 0
+/// m, and any error of azimuths. The other functions narrow it. They accept any number; each question checks
+/// the scene first, and refuses a wrong one with a [`SceneError`].
 ///
 /// ```
 /// use terrella::Ellipsoid;
@@ -141,7 +153,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// All of an ellipsoid.
+    /// Creates the scene of a whole ellipsoid.
     #[must_use]
     pub const fn new(ellipsoid: Ellipsoid<f64>) -> Self {
         Self {
@@ -155,7 +167,8 @@ impl Scene {
         }
     }
 
-    /// The places within a radius in metres of one at a latitude in degrees: any two of them.
+    /// Creates the scene of the places within a radius in metres of a place at a latitude in degrees.
+    /// Distances are those between any two of them.
     #[must_use]
     pub const fn around(ellipsoid: Ellipsoid<f64>, latitude: f64, radius: f64) -> Self {
         let nearest = (latitude.abs() - radius / (ellipsoid.a() * DEGREE)).clamp(0.0, 90.0);
@@ -169,7 +182,7 @@ impl Scene {
             .up_to(2.0 * radius)
     }
 
-    /// Between these latitudes in degrees.
+    /// Sets the southernmost and the northernmost latitude, in degrees.
     #[must_use]
     pub const fn latitudes(self, south: f64, north: f64) -> Self {
         Self {
@@ -178,14 +191,17 @@ impl Scene {
         }
     }
 
-    /// Places at most this far apart, or from the origin: metres along the ellipsoid.
+    /// Sets the farthest distance between two places, or from the origin, in metres along the ellipsoid.
     #[must_use]
     pub const fn up_to(self, farthest: f64) -> Self {
         let [nearest, _] = self.distances;
         self.between(nearest, farthest)
     }
 
-    /// Places no nearer to each other, and no farther apart: metres. Azimuths in single precision, and those of the dearer models, need a nearest distance: nearer, rounding turns them.
+    /// Sets the nearest and the farthest distance between two places, in metres.
+    ///
+    /// Bounds of azimuths need a nearest distance in single precision, and for the more exact methods:
+    /// between nearer places, rounding turns the azimuth.
     #[must_use]
     pub const fn between(self, nearest: f64, farthest: f64) -> Self {
         Self {
@@ -194,7 +210,7 @@ impl Scene {
         }
     }
 
-    /// Heights over the ellipsoid, in metres.
+    /// Sets the lowest and the highest height over the ellipsoid, in metres.
     #[must_use]
     pub const fn heights(self, lowest: f64, highest: f64) -> Self {
         Self {
@@ -203,13 +219,17 @@ impl Scene {
         }
     }
 
-    /// Places are given as degrees north and east, and metres up, of an origin in the middle of the latitudes: exact differences, in single precision 2⁻²⁴ of themselves off.
+    /// Says that places are given as degrees north and east, and metres up, of an origin in the middle of the
+    /// latitudes.
+    ///
+    /// In single precision such a difference is off by 2⁻²⁴ of itself, where a latitude or longitude is off
+    /// by up to 0.9 m.
     #[must_use]
     pub const fn local(self) -> Self {
         Self { local: true, ..self }
     }
 
-    /// The tolerance: an error in metres that does no harm.
+    /// Sets the tolerance: the error in metres that does no harm.
     #[must_use]
     pub const fn within(self, metres: f64) -> Self {
         Self {
@@ -218,7 +238,8 @@ impl Scene {
         }
     }
 
-    /// The tolerance in pixels, each of so many radians, seen from so far in metres.
+    /// Sets the tolerance to a number of pixels, from the angle of a pixel in radians and the distance in
+    /// metres from which it is seen.
     ///
     /// ```
     /// use terrella::Ellipsoid;
@@ -231,7 +252,7 @@ impl Scene {
         self.within(pixels * radians * distance)
     }
 
-    /// The tolerance of azimuths, in radians.
+    /// Sets the tolerance of azimuths, in radians.
     #[must_use]
     pub const fn azimuths(self, radians: f64) -> Self {
         Self {
@@ -240,7 +261,7 @@ impl Scene {
         }
     }
 
-    /// What is wrong with the scene. Comparisons are written so that NaN is.
+    /// What is wrong with the scene. Comparisons are written so that NaN is refused.
     const fn fault(&self) -> Option<SceneError> {
         const fn ordered([low, high]: [f64; 2], least: f64, most: f64) -> bool {
             least <= low && low <= high && high <= most

@@ -5,25 +5,25 @@ use super::bounds::{middle_rounded, places_rounded, polar_radius, smallest};
 use super::{Bound, Expansion, Scene, SceneError};
 use crate::{Enu, Geodetic, LocalFrame, Real};
 
-/// The models of positions about an origin, from the cheapest to the dearest.
+/// The ways to express a position as east, north and up of an origin, the cheapest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum View {
-    /// [`Expansion::first_order`].
+    /// A series of the first order: [`Expansion::first_order`].
     Linear,
-    /// [`Expansion::second_order`].
+    /// A series of the second order: [`Expansion::second_order`].
     Quadratic,
-    /// [`LocalFrame::geodetic_to_enu`].
+    /// The exact conversion: [`LocalFrame::geodetic_to_enu`].
     Full,
 }
 
 impl View {
-    /// All of them.
+    /// All views, the cheapest first.
     pub const ALL: [Self; 3] = [Self::Linear, Self::Quadratic, Self::Full];
 }
 
-/// A scene's model of positions: from [`Scene::positions`].
+/// The view for the positions of a scene, with its bound: from [`Scene::positions`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Positions<T> {
@@ -34,27 +34,34 @@ pub struct Positions<T> {
 }
 
 impl Scene {
-    /// The cheapest model of positions, as [`Enu`] of an origin in the scene, that keeps the tolerance in a scalar.
+    /// Chooses the cheapest view whose positions, as [`Enu`] of an origin in the scene, keep the scene's
+    /// tolerance in the scalar `T`.
     ///
-    /// For positions to r from the origin along the ellipsoid, heights over a range Δ and up to H from the ellipsoid, latitudes up to φ, t = tan φ and
-    /// q = (r/ρ)(1 + H/b), ρ = a(1 − f)², the errors are at most
+    /// For positions to r from the origin along the ellipsoid, heights over a range Δ and up to H from the
+    /// ellipsoid, latitudes up to φ, t = tan φ and q = (r/ρ)(1 + H/b), ρ = a(1 − f)², the errors are at most
     ///
-    /// | model | error | where |
+    /// | view | error | where |
     /// |---|---|---|
     /// | linear | 1.1 q (ρ q √(t²/3 + 1/4) + Δ) | r ≤ 0.2 ρ, r tan φ ≤ 0.4 ρ |
     /// | quadratic | 1.25 q² (ρ q (0.25 + 0.26 t²) + Δ √(t²/3 + 1/4)) | the same |
-    /// | full | none | |
+    /// | full | 0 | |
     ///
-    /// and rounding: the terms of the next order of the series, the largest over all azimuths, and room for the rest. Rounding is 2·10⁻¹⁵ (r + Δ) in `f64`; in `f32` 5·10⁻⁷ (r + Δ)
-    /// and that of the places, as for [`distances`](Self::distances).
+    /// and rounding: 2·10⁻¹⁵ (r + Δ) in `f64`; in `f32`, 5·10⁻⁷ (r + Δ) and the rounding of the places, as in
+    /// [`METHODS`](Self::METHODS). The formulas are the terms of the next order of the series, the largest
+    /// over all azimuths, with room for the rest.
     ///
     /// # Errors
-    /// [`SceneError::OutOfReach`] with what the best model reaches in this scalar; the others if the scene is none.
+    /// [`SceneError::OutOfReach`] with the smallest bound, if no view keeps the tolerance. Any other
+    /// [`SceneError`] if the scene itself is refused.
     ///
     /// ```
     /// use terrella::scene::{Positions, Scene, View};
     /// use terrella::{Ellipsoid, Geodetic, LatLon};
-    /// const FIELD: Scene = Scene::around(Ellipsoid::WGS84, 47.4, 1000.0).up_to(1000.0).heights(400.0, 550.0).local().within(0.05);
+    /// const FIELD: Scene = Scene::around(Ellipsoid::WGS84, 47.4, 1000.0)
+    ///     .up_to(1000.0)
+    ///     .heights(400.0, 550.0)
+    ///     .local()
+    ///     .within(0.05);
     /// let positions: Positions<f32> = FIELD.positions()?;
     /// assert_eq!(positions.view(), View::Quadratic);
     /// let about = positions.about(Geodetic::new(LatLon::new(47.4, 8.55)?, 430.0)?);
@@ -81,10 +88,11 @@ impl Scene {
         }
     }
 
-    /// A model of positions, whatever the tolerance: its [`bound`](Positions::bound) in this scene, infinite where the model is none.
+    /// Takes a view, whatever the tolerance. Its [`bound`](Positions::bound) in this scene is infinite where
+    /// the view does not hold.
     ///
     /// # Errors
-    /// If the scene is none.
+    /// A [`SceneError`] if the scene itself is refused.
     pub const fn positions_by<T: Real>(&self, view: View) -> Result<Positions<T>, SceneError> {
         if let Some(error) = self.fault() {
             return Err(error);
@@ -135,19 +143,19 @@ impl<T: Real> Positions<T> {
         }
     }
 
-    /// The model.
+    /// Returns the view.
     #[must_use]
     pub const fn view(&self) -> View {
         self.view
     }
 
-    /// What no error exceeds for positions of the scene: the length of the difference, metres.
+    /// Returns the bound in metres: no position of the scene is farther than this from its true one.
     #[must_use]
     pub const fn bound(&self) -> f64 {
         self.bound
     }
 
-    /// The model about an origin in the scene.
+    /// Creates the view about an origin in the scene. In a constant scene, only this view is linked.
     #[must_use]
     #[inline(always)]
     pub fn about(&self, origin: Geodetic<T>) -> AnyView<T> {
@@ -165,21 +173,24 @@ impl<T: Real> Positions<T> {
     }
 }
 
-/// The model that a scene chose, about an origin: [`Positions::about`].
+/// The view that a scene chose, about an origin: from [`Positions::about`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum AnyView<T> {
-    /// [`View::Linear`].
+    /// Of [`View::Linear`].
     Linear(Expansion<T>),
-    /// [`View::Quadratic`].
+    /// Of [`View::Quadratic`].
     Quadratic(Expansion<T>),
-    /// [`View::Full`].
+    /// Of [`View::Full`].
     Full(LocalFrame<T>),
 }
 
 impl<T: Real> AnyView<T> {
-    /// East, north and up of the origin; of a [local](Scene::local) scene the position is given as degrees and metres from there.
+    /// Returns the position as metres east, north and up of the origin.
+    ///
+    /// In a [local](Scene::local) scene, pass the position as degrees north and east, and metres up, of the
+    /// origin.
     #[must_use]
     #[inline(always)]
     pub fn enu(&self, position: Geodetic<T>) -> Enu<T> {

@@ -1,22 +1,23 @@
 use super::{Scene, SceneError};
 
-/// How numbers are kept.
+/// The type of the numbers in which a scene keeps its places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Scalar {
-    /// Latitudes, longitudes and heights in `f32`.
+    /// Latitudes, longitudes and heights as `f32`.
     Single,
-    /// Their differences from an origin in `f32`: [`Scene::local`].
+    /// Differences from an origin as `f32`: [`Scene::local`].
     Local,
-    /// In `f64`.
+    /// Latitudes, longitudes and heights as `f64`.
     Double,
 }
 
 impl Scene {
-    /// The least of the scalars in which [`distances`](Self::distances) has an answer.
+    /// Chooses the first scalar in which [`distances`](Self::distances) keeps the tolerances: `f32`, `f32`
+    /// about an origin, or `f64`.
     ///
     /// # Errors
-    /// Those of the last, `f64`.
+    /// The [`SceneError`] of [`distances`](Self::distances) in `f64`, if none does.
     ///
     /// ```
     /// use terrella::Ellipsoid;

@@ -2,31 +2,38 @@ use super::{Scene, SceneError};
 use crate::cube::{Decay, Projection};
 use crate::terrain::Tile;
 
-/// From which level on the tiles of a cube map need no more than little: from [`Scene::tiles`].
+/// The levels from which tiles of a cube map can be drawn in a simpler way: from [`Scene::tiles`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tiles {
-    /// A tile is its corners, their normals and heights, interpolated: [`Vertices::plain`](crate::terrain::Vertices::plain).
+    /// From this level on, four corners with their normals and heights, interpolated, are enough:
+    /// [`Vertices::plain`](crate::terrain::Vertices::plain). `None` if no level up to 30 is fine enough.
     pub plain: Option<u8>,
-    /// A tile is its [`Series`](crate::terrain::Series) of the second order.
+    /// From this level on, a [`Series`](crate::terrain::Series) of the second order is enough. `None` if no level
+    /// up to 30 is fine enough.
     pub series: Option<u8>,
 }
 
 impl Scene {
-    /// The coarsest levels at which tiles need no displacements, or their series is enough, for the tolerance in metres and the heights of the scene; none if level 30 is not enough.
+    /// Returns the coarsest levels at which tiles need only their four corners, or only their series, to keep the
+    /// tolerance in metres at the heights of the scene.
     ///
-    /// At level L a tile of a smooth projection is within D a 4^(−L) of what its corners give, and within S a 8^(−L) of its series; of a creased one (quadrilateralized, HEALPix, vertex)
-    /// within (D 2^(−L) + 0.35·4^(−L)) a; of the conformal one, for its corners, 2^(−4L/3). D and S hold for every shift, and are the largest of
-    /// [`Patches::flatness`](crate::terrain::Patches::flatness) and [`truncation`](crate::terrain::Patches::truncation), which ask a map itself and take a thousand times as long.
+    /// At level L, the corners of a tile leave an error of D a 4^(−L), and its series one of S a 8^(−L), if the
+    /// projection is smooth. The errors are (D 2^(−L) + 0.35·4^(−L)) a if it is creased (quadrilateralized, HEALPix,
+    /// vertex). They fall with 2^(−4L/3) for the conformal one. D and S hold for every shift. They are the largest
+    /// values of [`Patches::flatness`](crate::terrain::Patches::flatness) and
+    /// [`Patches::truncation`](crate::terrain::Patches::truncation), which examine one map and take a thousand times
+    /// as long.
     ///
     /// # Errors
-    /// If the scene is none.
+    /// A [`SceneError`] if the scene itself is refused.
     ///
     /// ```
     /// use terrella::Ellipsoid;
     /// use terrella::cube::Projection;
     /// use terrella::scene::{Scene, Tiles};
-    /// const TILES: Tiles = match Scene::new(Ellipsoid::WGS84).heights(-11_000.0, 9_000.0).within(0.01).tiles(Projection::Adjusted) {
+    /// const EARTH: Scene = Scene::new(Ellipsoid::WGS84).heights(-11_000.0, 9_000.0).within(0.01);
+    /// const TILES: Tiles = match EARTH.tiles(Projection::Adjusted) {
     ///     Ok(tiles) => tiles,
     ///     Err(_) => panic!(),
     /// };
@@ -38,7 +45,8 @@ impl Scene {
         }
         let [displacement, series] = projection.tiles();
         let [low, high] = self.heights;
-        // Normals are off by as much as places on a sphere of radius 1, and a little more on an ellipsoid; a series has its normals from its own slopes.
+        // Normals are off by as much as places on a sphere of radius 1, and a little more on an ellipsoid; a
+        // series has its normals from its own slopes.
         let height = 1.02 * low.abs().max(high.abs());
         Ok(Tiles {
             plain: self.coarsest(displacement, height),

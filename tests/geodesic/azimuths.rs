@@ -88,7 +88,7 @@ fn open_azimuths<T: Scalar>() {
     for f in [1.0 / 298.257_223_563, 0.0, -1.0 / 150.0] {
         let ellipsoid = Ellipsoid::<T>::new(T::of(6.4e6), T::of(f)).unwrap();
         for method in Method::ALL {
-            let Ok(earth) = method.on(ellipsoid) else {
+            let Ok(earth) = method.about(ellipsoid, LatLon::default()) else {
                 assert!(*method == Method::Vincenty && f < 0.0, "{method} {f}");
                 continue;
             };

@@ -283,7 +283,7 @@ fn bodies_of_any_size_have_methods() {
     for (a, f) in [(1e-15, 1.0 / 300.0), (1e15, -1e-3), (1e15, 1e-3)] {
         let ellipsoid = Ellipsoid::new(a, f).unwrap();
         for method in Method::ALL {
-            let Ok(on) = method.on(ellipsoid) else {
+            let Ok(on) = method.about(ellipsoid, place(1.0, 2.0)) else {
                 assert!(*method == Method::Vincenty && f < 0.0, "{method} {f}");
                 continue;
             };

@@ -510,7 +510,12 @@ pub fn flattenings(method: Method) -> [f64; 2] {
 
 /// A method's ellipsoid: the sphere for those that know no other, the Earth's for Vincenty's.
 fn method<T: Scalar>(bytes: &mut Bytes<'_>) -> (Method, Ellipsoid<T>) {
-    let method = bytes.choice(Method::ALL);
+    let everywhere: Vec<Method> = Method::ALL
+        .iter()
+        .copied()
+        .filter(|method| !method.needs_place())
+        .collect();
+    let method = bytes.choice(&everywhere);
     let spherical = matches!(method, Method::GreatCircle | Method::Haversine);
     let [least, most] = flattenings(method);
     let ellipsoid = bytes.ellipsoid(least, most);

@@ -11,8 +11,8 @@ use terrella::cube::{
 use terrella::distortion::{Ground, Singular};
 use terrella::frame::InvalidEnu;
 use terrella::geodesic::{
-    Andoyer, AndoyerSecond, AnyMethod, Area, Bowring, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Karney,
-    Method, Vincenty,
+    Andoyer, AndoyerSecond, AnyMethod, Area, Bowring, Flat, Geodesic, GeodesicError, GreatCircle, Haversine,
+    InvalidMethod, Karney, Method, Vincenty,
 };
 use terrella::latitude::{Conversion, InvalidLatitude, UnsupportedFlattening};
 use terrella::{
@@ -366,7 +366,17 @@ fn flattening<T: Scalar>(bytes: &mut Bytes<'_>) {
             Method::Vincenty => earths,
             _ => round,
         };
-        judge(method.name(), method.on(ellipsoid).map(|_: AnyMethod<T>| ()), expected);
+        let place = LatLon::default();
+        judge(
+            method.name(),
+            method.about(ellipsoid, place).map(|_: AnyMethod<T>| ()),
+            expected,
+        );
+        match method.on(ellipsoid) {
+            Err(InvalidMethod::PlaceNeeded(refused)) => assert!(method.needs_place() && refused == method),
+            Err(InvalidMethod::Flattening(why)) => assert_eq!(Err(why), method.about(ellipsoid, place)),
+            on => assert_eq!(on.ok(), method.about(ellipsoid, place).ok()),
+        }
     }
 }
 
@@ -454,7 +464,7 @@ fn lines<T: Scalar>(bytes: &mut Bytes<'_>) {
     let ellipsoid = bytes.ellipsoid::<T>(least, most);
     let (from, to) = bytes.pair::<T>();
     let (azimuth, distance) = (bytes.anything::<T>(), bytes.anything::<T>());
-    let solver = method.on(ellipsoid).unwrap();
+    let solver = method.about(ellipsoid, from).unwrap();
     let end = solver.direct(from, azimuth, distance);
     let context = || {
         format!(

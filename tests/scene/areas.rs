@@ -87,7 +87,7 @@ fn hold<T: Real>(local: bool, scenes: usize) {
             if areas.bound().is_infinite() {
                 continue;
             }
-            let method = areas.method();
+            let method = areas.solver();
             let [mut worst, mut told] = [Worst::default(); 2];
             for polygon in &polygons {
                 let error = (found(&method, &polygon.corners, origin) - polygon.area).abs();

@@ -1,6 +1,6 @@
 use fastrand::Rng;
-use terrella::geodesic::{Geodesic, Inverse, Karney};
-use terrella::scene::{AnyModel, Distances, Model};
+use terrella::geodesic::{AnyMethod, Geodesic, Inverse, Karney, Method};
+use terrella::scene::{Distances, Scene};
 use terrella::{LatLon, Real};
 use testkit::maximum;
 
@@ -16,7 +16,7 @@ const TRUTH: f64 = 1e-8;
 type Pair = ([LatLon<f64>; 2], Inverse<f64>);
 
 /// The largest errors of distance and azimuths, the places given in the scalar, from an origin.
-fn seen<T: Real>(method: &AnyModel<T>, pairs: &[Pair], origin: f64) -> [f64; 2] {
+fn seen<T: Real>(method: &AnyMethod<T>, pairs: &[Pair], origin: f64) -> [f64; 2] {
     let place = |place: LatLon<f64>| LatLon::new(T::of(place.lat() - origin), T::of(place.lon())).unwrap();
     pairs
         .iter()
@@ -32,12 +32,17 @@ fn seen<T: Real>(method: &AnyModel<T>, pairs: &[Pair], origin: f64) -> [f64; 2] 
         })
 }
 
+/// A method's place among those of scenes, the cheapest first.
+fn cost(method: Method) -> Option<usize> {
+    Scene::METHODS.iter().position(|&other| other == method)
+}
+
 /// Every model in many scenes: no bound is exceeded, the median bound is less than four times the largest error, and where the error of a model is less than a
 /// quarter of a tolerance, no dearer one is taken in at least 95 of 100 scenes.
 fn hold<T: Real>(local: bool, scenes: usize) {
     let mut rng = Rng::with_seed(1);
     // Bound to largest error, of distances and azimuths.
-    let mut idle: [[Vec<f64>; 2]; Model::ALL.len()] = Default::default();
+    let mut idle: [[Vec<f64>; 2]; Scene::METHODS.len()] = Default::default();
     let mut tally = Tally::default();
     for _ in 0..scenes {
         let mut drawn = Drawn::any(&mut rng, 1e3);
@@ -52,37 +57,41 @@ fn hold<T: Real>(local: bool, scenes: usize) {
         let truth = TRUTH * drawn.ellipsoid.a() / 6.4e6;
         let truths = [truth, truth / drawn.near];
         let tolerance = power(&mut rng, -7.0, 3.0);
-        let taken = drawn.scene.within(tolerance).distances::<T>().map(|way| way.model());
+        let taken = drawn
+            .scene
+            .within(tolerance)
+            .distances::<T>()
+            .map(|way| cost(way.method()));
         let mut enough = None;
-        for model in Model::ALL {
-            let way: Distances<T> = drawn.scene.distances_by(model).unwrap();
+        for (kind, &method) in Scene::METHODS.iter().enumerate() {
+            let way: Distances<T> = drawn.scene.distances_by(method).unwrap();
             let bound = [way.bound().distance, way.bound().azimuth];
             if local && bound[0].is_infinite() {
                 continue;
             }
-            let errors = seen(&way.method(), &pairs, origin);
+            let errors = seen(&way.solver(), &pairs, origin);
             for k in 0..2 {
                 assert!(
                     errors[k] <= bound[k] + truths[k],
-                    "{model:?} in {drawn:?}: {:e} of {:e}",
+                    "{method} in {drawn:?}: {:e} of {:e}",
                     errors[k],
                     bound[k]
                 );
                 // Of what the truth can tell.
                 if bound[k].is_finite() && errors[k] > 10.0 * truths[k] {
-                    idle[model as usize][k].push(bound[k] / errors[k]);
+                    idle[kind][k].push(bound[k] / errors[k]);
                 }
             }
             if enough.is_none() && errors[0] + truth < 0.25 * tolerance {
-                enough = Some(model);
+                enough = Some(kind);
             }
         }
-        tally.count(enough, taken.ok());
+        tally.count(enough, taken.ok().flatten());
     }
     println!("{} digits{}", T::DIGITS, if local { ", local" } else { "" });
-    for (model, [distances, azimuths]) in Model::ALL.into_iter().zip(&mut idle) {
-        say(&format!("{model:?}, distances"), distances);
-        say(&format!("{model:?}, azimuths"), azimuths);
+    for (method, [distances, azimuths]) in Scene::METHODS.iter().zip(&mut idle) {
+        say(&format!("{method}, distances"), distances);
+        say(&format!("{method}, azimuths"), azimuths);
     }
     for kind in 0..2 {
         let mut all: Vec<f64> = idle.iter().flat_map(|kinds| &kinds[kind]).copied().collect();
@@ -115,17 +124,17 @@ fn destinations_are_within_both_bounds() {
         let drawn = Drawn::any(&mut rng, 1e3);
         let karney = Karney::new(drawn.ellipsoid).unwrap();
         let truth = TRUTH * drawn.ellipsoid.a() / 6.4e6;
-        for model in Model::ALL {
-            let way: Distances<f64> = drawn.scene.distances_by(model).unwrap();
-            let method = way.method();
+        for &method in Scene::METHODS {
+            let way: Distances<f64> = drawn.scene.distances_by(method).unwrap();
+            let solver = way.solver();
             let bound = way.bound().distance + drawn.far * way.bound().azimuth;
             for ([from, _], there) in (0..8).filter_map(|_| drawn.pair(&karney, false, &mut rng)) {
-                let reached = method.direct(from, there.azimuth1, there.distance).unwrap().position;
+                let reached = solver.direct(from, there.azimuth1, there.distance).unwrap().position;
                 let to = karney.direct(from, there.azimuth1, there.distance).unwrap().position;
                 let off = karney.inverse(reached, to).unwrap().distance;
                 assert!(
                     off <= bound + 2.0 * truth,
-                    "{model:?} in {drawn:?}: {off:e} of {bound:e}"
+                    "{method} in {drawn:?}: {off:e} of {bound:e}"
                 );
             }
         }

@@ -1,7 +1,8 @@
 use fastrand::Rng;
 use terrella::Ellipsoid;
 use terrella::cube::Projection;
-use terrella::scene::{Model, Scene, SceneError, Surface};
+use terrella::geodesic::Method;
+use terrella::scene::{Scene, SceneError, Surface};
 
 fn earth() -> Scene {
     Scene::new(Ellipsoid::WGS84)
@@ -16,7 +17,7 @@ fn refused(scene: Scene) -> SceneError {
     same(scene.positions::<f64>().unwrap_err());
     same(scene.areas::<f64>().unwrap_err());
     same(scene.areas_by::<f32>(Surface::Plane).unwrap_err());
-    same(scene.distances_by::<f64>(Model::Karney).unwrap_err());
+    same(scene.distances_by::<f64>(Method::Karney).unwrap_err());
     same(scene.figure().unwrap_err());
     same(scene.tiles(Projection::Adjusted).unwrap_err());
     same(scene.scalar().unwrap_err());
@@ -121,7 +122,7 @@ fn any_bits_are_answered() {
         if let Ok(way) = scene.distances::<f64>() {
             answers += 1;
             assert!(way.bound().distance >= 0.0);
-            let _ = way.method();
+            let _ = way.solver();
             assert!(scene.within(way.bound().distance).distances::<f64>().is_ok());
         }
         if let Ok(way) = scene.distances::<f32>() {
@@ -132,7 +133,7 @@ fn any_bits_are_answered() {
         }
         if let Ok(areas) = scene.areas::<f32>() {
             assert!(areas.bound() >= 0.0);
-            let _ = areas.method();
+            let _ = areas.solver();
         }
         if let Ok(figure) = scene.figure() {
             assert!(figure.bound() >= 0.0);

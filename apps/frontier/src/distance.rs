@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use terrella::batch::geodesic;
-use terrella::geodesic::{AnyMethod, Geodesic, Method};
+use terrella::geodesic::{AnyMethod, Geodesic, Method, Visitor};
 use terrella::{Ellipsoid, LatLon};
 
 use crate::bench::{Bench, Mode, Task};
@@ -109,17 +109,25 @@ pub fn displacement(lat_off: f64, lon_off: f64, lat: f64, height: f64) -> f64 {
 /// Runs the chart in a scalar.
 pub fn run<T: Scalar>(bench: &mut Bench) {
     let problems = Problems::<T>::new(bench.points);
-    for method in Method::ALL {
+    // What holds about one place is timed by `scene`.
+    for method in Method::ALL.iter().filter(|method| !method.needs_place()) {
         let name = method.name();
         match method.on(Ellipsoid::WGS84).expect("a method for the Earth") {
-            AnyMethod::Haversine(m) => problems.one_by_one(bench, name, &m),
-            AnyMethod::GreatCircle(m) => problems.one_by_one(bench, name, &m),
-            AnyMethod::Flat(m) => problems.one_by_one(bench, name, &m),
-            AnyMethod::Bowring(m) => problems.one_by_one(bench, name, &m),
-            AnyMethod::Andoyer(m) => problems.one_by_one(bench, name, &m),
-            AnyMethod::AndoyerSecond(m) => problems.one_by_one(bench, name, &m),
             AnyMethod::Vincenty(m) => problems.both(bench, name, &m),
             AnyMethod::Karney(m) => problems.both(bench, name, &m),
+            other => other.visit(OneByOne(&problems, bench, name)),
         }
+    }
+}
+
+/// Times a method one by one.
+struct OneByOne<'a, T>(&'a Problems<T>, &'a mut Bench, &'a str);
+
+impl<T: Scalar> Visitor<T> for OneByOne<'_, T> {
+    type Output = ();
+
+    fn visit<M: Geodesic<T>>(self, method: M) {
+        let Self(problems, bench, name) = self;
+        problems.one_by_one(bench, name, &method);
     }
 }

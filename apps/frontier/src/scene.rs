@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use image::{Rgb, RgbImage};
-use terrella::geodesic::Geodesic;
-use terrella::scene::{AnyModel, Distances, Model, Scalar, Scene};
+use terrella::geodesic::{Geodesic, Method, Visitor};
+use terrella::scene::{Distances, Scalar, Scene};
 use terrella::{Ellipsoid, LatLon};
 
 use crate::bench::{Bench, Mode, Task};
@@ -21,22 +21,22 @@ pub const TITLE: &str = "The cheapest model of distances that keeps a tolerance"
 /// The latitude of the field that everything is timed in, and half of its width in degrees.
 const FIELD: [f64; 2] = [45.0, 0.05];
 
-/// A model in a scalar.
-type Kind = (Scalar, Model);
+/// A method in a scalar.
+type Kind = (Scalar, Method);
 
 const SCALARS: [Scalar; 3] = [Scalar::Single, Scalar::Local, Scalar::Double];
 
 /// A record's method and scalar.
-fn key((scalar, model): Kind) -> [String; 2] {
-    let model = format!("{model:?}").to_lowercase();
+fn key((scalar, method): Kind) -> [String; 2] {
+    let method = method.to_string();
     match scalar {
-        Scalar::Single => [model, "f32".to_owned()],
-        Scalar::Local => [format!("{model} about an origin"), "f32".to_owned()],
-        Scalar::Double => [model, "f64".to_owned()],
+        Scalar::Single => [method, "f32".to_owned()],
+        Scalar::Local => [format!("{method} about an origin"), "f32".to_owned()],
+        Scalar::Double => [method, "f64".to_owned()],
     }
 }
 
-/// Times the distances of all models in a scalar, between places of a field.
+/// Times the distances of all methods of scenes in a scalar, between places of a field.
 pub fn run<T: truth::Scalar>(bench: &mut Bench) {
     let field = Scene::around(Ellipsoid::WGS84, FIELD[0], 1e4);
     for local in [false, true] {
@@ -67,30 +67,39 @@ pub fn run<T: truth::Scalar>(bench: &mut Bench) {
             Scalar::Single
         };
         let scene = if local { field.local() } else { field };
-        for model in Model::ALL {
-            if local && model != Model::Plane {
+        for &method in Scene::METHODS {
+            if local && method != Method::Plane {
                 continue;
             }
-            let way: Distances<T> = scene.distances_by(model).expect("a scene");
-            let [key, _] = key((scalar, model));
+            let way: Distances<T> = scene.distances_by(method).expect("a scene");
+            let [key, _] = key((scalar, method));
             // Each by its own type, as where the scene is a constant.
-            match way.method() {
-                AnyModel::Plane(method) => timed(bench, &task, &key, &method),
-                AnyModel::Flat(method) => timed(bench, &task, &key, &method),
-                AnyModel::Sphere(method) => timed(bench, &task, &key, &method),
-                AnyModel::Andoyer(method) => timed(bench, &task, &key, &method),
-                AnyModel::Karney(method) => timed(bench, &task, &key, &method),
-            }
+            way.solver().visit(Timed {
+                bench,
+                task: &task,
+                key: &key,
+            });
         }
     }
 }
 
-fn timed<T: truth::Scalar>(bench: &mut Bench, task: &Task<T>, key: &str, method: &impl Geodesic<T>) {
-    let pass = each(|[lat1, lon1, lat2, lon2]| {
-        let way = method.inverse(LatLon::new(lat1, lon1).ok()?, LatLon::new(lat2, lon2).ok()?);
-        Some([way.ok()?.distance])
-    });
-    bench.run(task, key, Mode::OneByOne, &pass);
+/// Times the distances of a method.
+struct Timed<'a, T> {
+    bench: &'a mut Bench,
+    task: &'a Task<T>,
+    key: &'a str,
+}
+
+impl<T: truth::Scalar> Visitor<T> for Timed<'_, T> {
+    type Output = ();
+
+    fn visit<M: Geodesic<T>>(self, method: M) {
+        let pass = each(|[lat1, lon1, lat2, lon2]| {
+            let way = method.inverse(LatLon::new(lat1, lon1).ok()?, LatLon::new(lat2, lon2).ok()?);
+            Some([way.ok()?.distance])
+        });
+        self.bench.run(self.task, self.key, Mode::OneByOne, &pass);
+    }
 }
 
 /// Cells of the map along each side.
@@ -151,7 +160,7 @@ pub fn draw(records: &[Record], caption: &str) -> Result<Svg, String> {
         axes(&mut svg, frame);
     }
     kinds.sort_by(|a, b| time(*a).total_cmp(&time(*b)));
-    let karney = time((Scalar::Double, Model::Karney));
+    let karney = time((Scalar::Double, Method::Karney));
     for (i, kind) in kinds.iter().enumerate() {
         let [x, y] = [LEFT + 330.0 * (i % 3) as f64, TOP + PLOT + 84.0 + 26.0 * (i / 3) as f64];
         swatch(&mut svg, [x, y], colour(*kind));
@@ -173,22 +182,22 @@ pub fn draw(records: &[Record], caption: &str) -> Result<Svg, String> {
     Ok(svg)
 }
 
-fn chosen(scene: Scene, scalar: Scalar) -> Option<Model> {
+fn chosen(scene: Scene, scalar: Scalar) -> Option<Method> {
     match scalar {
-        Scalar::Single => scene.distances::<f32>().ok().map(|way| way.model()),
-        Scalar::Local => scene.local().distances::<f32>().ok().map(|way| way.model()),
-        Scalar::Double => scene.distances::<f64>().ok().map(|way| way.model()),
+        Scalar::Single => scene.distances::<f32>().ok().map(|way| way.method()),
+        Scalar::Local => scene.local().distances::<f32>().ok().map(|way| way.method()),
+        Scalar::Double => scene.distances::<f64>().ok().map(|way| way.method()),
     }
 }
 
-/// A hue of the palette of Okabe and Ito for a model, paler for fewer digits.
-fn colour((scalar, model): Kind) -> Rgb<u8> {
-    let hue = match model {
-        Model::Plane => [0x00, 0x9e, 0x73],
-        Model::Flat => [0x56, 0xb4, 0xe9],
-        Model::Sphere => [0xe6, 0x9f, 0x00],
-        Model::Andoyer => [0xcc, 0x79, 0xa7],
-        Model::Karney => [0x3c, 0x3c, 0x3c],
+/// A hue of the palette of Okabe and Ito for a method, paler for fewer digits.
+fn colour((scalar, method): Kind) -> Rgb<u8> {
+    let hue = match method {
+        Method::Plane => [0x00, 0x9e, 0x73],
+        Method::Flat => [0x56, 0xb4, 0xe9],
+        Method::GreatCircle => [0xe6, 0x9f, 0x00],
+        Method::Andoyer => [0xcc, 0x79, 0xa7],
+        _ => [0x3c, 0x3c, 0x3c],
     };
     let pale = match scalar {
         Scalar::Single => 0.6,

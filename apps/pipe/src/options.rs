@@ -47,13 +47,22 @@ pub struct Line {
     #[arg(long, value_name = "NAME", default_value = "karney", value_parser = one_of::<Method>(Method::ALL.iter().map(|m| m.name())))]
     method: Method,
 
+    /// The place about which `plane` holds, in degrees.
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true, value_parser = numbers::<2>)]
+    about: Option<[f64; 2]>,
+
     #[command(flatten)]
     planet: Planet,
 }
 
 impl Line {
     pub fn method<T: Number>(&self) -> Result<AnyMethod<T>, Failure> {
-        Ok(self.method.on(self.planet.ellipsoid()?)?)
+        let ellipsoid = self.planet.ellipsoid()?;
+        let Some(about) = self.about else {
+            return Ok(self.method.on(ellipsoid)?);
+        };
+        let [lat, lon] = about.map(T::of);
+        Ok(self.method.about(ellipsoid, LatLon::new(lat, lon)?)?)
     }
 }
 
@@ -61,7 +70,7 @@ impl Line {
 #[derive(Args)]
 pub struct Local {
     /// The origin in degrees and metres.
-    #[arg(long, value_name = "LAT,LON,H", allow_hyphen_values = true, value_parser = three)]
+    #[arg(long, value_name = "LAT,LON,H", allow_hyphen_values = true, value_parser = numbers::<3>)]
     origin: [f64; 3],
 
     #[command(flatten)]
@@ -76,10 +85,10 @@ impl Local {
     }
 }
 
-fn three(text: &str) -> Result<[f64; 3], String> {
+fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
     let numbers = numbers.ok().and_then(|numbers| numbers.try_into().ok());
-    numbers.ok_or_else(|| "not three numbers with commas between them".to_owned())
+    numbers.ok_or_else(|| format!("expected {N} numbers with commas between them"))
 }
 
 /// A projection of the sphere.

@@ -62,7 +62,7 @@ pub fn radius() -> f64 {
 /// This crate's methods, each in both precisions.
 pub fn ours() -> Result<Vec<Solver>, Box<dyn Error>> {
     let mut solvers = Vec::new();
-    for &method in Method::ALL {
+    for &method in Method::ALL.iter().filter(|method| !method.needs_place()) {
         let (name, colour, figure) = shown(method);
         let (double, single) = (method.on(Ellipsoid::<f64>::WGS84)?, method.on(Ellipsoid::<f32>::WGS84)?);
         let double = move |pair| solve(&double, pair, |x| x);

@@ -1,7 +1,7 @@
 use terrella::Ellipsoid;
 use terrella::geodesic::{
-    Andoyer, AndoyerSecond, AnyMethod, Area, Bowring, Flat, Geodesic, GreatCircle, Haversine, Karney, Line, Method,
-    PlanarArea, PlanarPolygon, PolygonArea, Vincenty,
+    Andoyer, AndoyerSecond, Area, Bowring, Flat, Geodesic, GreatCircle, Haversine, Karney, Line, Method, PlanarArea,
+    PlanarPolygon, PolygonArea, Vincenty, Visitor as MethodVisitor,
 };
 
 use crate::{Arguments, Function, Scalar, Visitor};
@@ -9,26 +9,17 @@ use crate::{Arguments, Function, Scalar, Visitor};
 pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     let earth = Ellipsoid::<T>::WGS84;
     for &method in Method::ALL {
-        let name = Method::name(method);
-        match Method::on(method, earth) {
-            Ok(AnyMethod::Haversine(method)) => both(visitor, &method, name),
-            Ok(AnyMethod::GreatCircle(method)) => both(visitor, &method, name),
-            Ok(AnyMethod::Flat(method)) => both(visitor, &method, name),
-            Ok(AnyMethod::Bowring(method)) => both(visitor, &method, name),
-            Ok(AnyMethod::Andoyer(method)) => both(visitor, &method, name),
-            Ok(AnyMethod::AndoyerSecond(method)) => both(visitor, &method, name),
-            Ok(AnyMethod::Vincenty(method)) => both(visitor, &method, name),
-            Ok(AnyMethod::Karney(method)) => both(visitor, &method, name),
-            Err(_) => {}
+        if let Ok(solver) = Method::on(method, earth) {
+            solver.visit(Both(visitor, Method::name(method)));
         }
     }
     let any_name = |arguments: &mut Arguments| {
         let index = arguments.below(9) as usize;
-        Method::ALL.get(index).map_or("nothing", |method| method.name())
+        METHODS.get(index).map_or("nothing", |method| method.name())
     };
     visitor.function::<T, _, _>("Method, by name", any_name, |name| name.parse().map(Method::name).ok());
     visitor.function::<T, _, _>(
-        "Method::on",
+        "Method::about",
         |arguments| {
             (
                 arguments.ellipsoid::<T>(),
@@ -37,8 +28,8 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
             )
         },
         |(ellipsoid, [from, to], index)| {
-            let method = Method::ALL.get(index).copied().unwrap_or(Method::Flat);
-            Method::on(method, ellipsoid)
+            let method = METHODS.get(index).copied().unwrap_or(Method::Flat);
+            Method::about(method, ellipsoid, from)
                 .map(|method| (method.inverse(from, to), method.direct(from, to.lon(), to.lat())))
         },
     );
@@ -63,6 +54,29 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     karney::<T, V>(visitor);
     area::<T, V>(visitor);
 }
+
+/// Shows both problems of a method.
+struct Both<'a, V>(&'a mut V, &'static str);
+
+impl<T: Scalar, V: Visitor> MethodVisitor<T> for Both<'_, V> {
+    type Output = ();
+
+    fn visit<M: Geodesic<T>>(self, method: M) {
+        both(self.0, &method, self.1);
+    }
+}
+
+/// Those that hold everywhere.
+const METHODS: [Method; 8] = [
+    Method::Haversine,
+    Method::GreatCircle,
+    Method::Flat,
+    Method::Bowring,
+    Method::Andoyer,
+    Method::AndoyerSecond,
+    Method::Vincenty,
+    Method::Karney,
+];
 
 fn both<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M, name: &'static str) {
     let inverse = |name| Function::of("Geodesic::inverse", name);

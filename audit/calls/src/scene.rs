@@ -1,6 +1,6 @@
 use terrella::cube::Projection;
-use terrella::geodesic::{Geodesic, Plane};
-use terrella::scene::{AnyArea, Areas, Distances, Expansion, Figure, Model, Positions, Scene, Surface, View};
+use terrella::geodesic::{Geodesic, Method, Plane};
+use terrella::scene::{AnyArea, Areas, Distances, Expansion, Figure, Positions, Scene, Surface, View};
 use terrella::{Ellipsoid, Shift};
 
 use crate::{Arguments, Function, Scalar, Visitor};
@@ -78,7 +78,7 @@ fn questions<T: Scalar, V: Visitor>(visitor: &mut V) {
         (
             distances.ok().map(|way| {
                 (
-                    Model::instructions(Distances::model(&way)),
+                    Method::instructions(Distances::method(&way)),
                     Distances::bound(&way).azimuth,
                 )
             }),
@@ -96,9 +96,9 @@ fn questions<T: Scalar, V: Visitor>(visitor: &mut V) {
         of("Scene, by name"),
         |arguments| (scene(arguments), arguments.below(6) as usize),
         |(scene, index)| {
-            let model = Model::ALL.get(index).copied().unwrap_or(Model::Plane);
+            let method = Scene::METHODS.get(index).copied().unwrap_or(Method::Plane);
             let view = View::ALL.get(index / 2).copied().unwrap_or(View::Full);
-            let ways = Scene::distances_by::<T>(&scene, model)
+            let ways = Scene::distances_by::<T>(&scene, method)
                 .ok()
                 .map(|way| Distances::bound(&way).distance);
             let views = Scene::positions_by::<T>(&scene, view)
@@ -111,12 +111,12 @@ fn questions<T: Scalar, V: Visitor>(visitor: &mut V) {
         },
     );
     visitor.visit::<f64, _, _>(
-        of("AnyModel"),
+        of("Distances::solver"),
         |arguments| (scene(arguments), arguments.below(6) as usize, arguments.pair::<T>()),
         |(scene, index, [from, to])| {
-            let model = Model::ALL.get(index).copied().unwrap_or(Model::Plane);
-            let way = Scene::distances_by::<T>(&scene, model).ok()?;
-            let method = Distances::method(&way);
+            let method = Scene::METHODS.get(index).copied().unwrap_or(Method::Plane);
+            let way = Scene::distances_by::<T>(&scene, method).ok()?;
+            let method = Distances::solver(&way);
             Some((method.inverse(from, to), method.direct(from, to.lon(), to.lat())))
         },
     );
@@ -134,7 +134,7 @@ fn questions<T: Scalar, V: Visitor>(visitor: &mut V) {
             let taken = Scene::areas::<T>(&scene).ok().map(|areas| Areas::surface(&areas) as u8);
             let surface = Surface::ALL.get(index).copied().unwrap_or(Surface::Plane);
             let areas = Scene::areas_by::<T>(&scene, surface).ok()?;
-            let method = Areas::method(&areas);
+            let method = Areas::solver(&areas);
             Some((taken, Areas::bound(&areas), AnyArea::area(&method, [a, b, c])))
         },
     );

@@ -160,7 +160,7 @@ functions! {
             Ok(way) => way,
             Err(_) => panic!(),
         };
-        Some(WAY.method().inverse(*from, *to).ok()?.distance)
+        Some(WAY.solver().inverse(*from, *to).ok()?.distance)
     }
     plane_distance_from_place(place: &LatLon<T>, from: &LatLon<T>, to: &LatLon<T>) -> Option<T> {
         Some(Plane::local(Ellipsoid::WGS84, *place).ok()?.inverse(*from, *to).ok()?.distance)
@@ -170,7 +170,7 @@ functions! {
             Ok(areas) => areas,
             Err(_) => panic!(),
         };
-        AREAS.method().area(corners.iter().copied())
+        AREAS.solver().area(corners.iter().copied())
     }
     planar_area_about_place(place: &LatLon<T>, corners: &[LatLon<T>]) -> Option<T> {
         let mut field = PlanarArea::local(Ellipsoid::WGS84, *place).ok()?.polygon();
@@ -194,5 +194,5 @@ const FIELD: Scene = Scene::around(Ellipsoid::WGS84, 47.4, 1000.0).local();
 #[unsafe(export_name = "scene_any_distance_f64")]
 pub fn scene_any_distance(scene: &Scene, from: &LatLon<f64>, to: &LatLon<f64>) -> Option<f64> {
     let way: Distances<f64> = scene.distances().ok()?;
-    Some(way.method().inverse(*from, *to).ok()?.distance)
+    Some(way.solver().inverse(*from, *to).ok()?.distance)
 }

@@ -1,5 +1,5 @@
 use terrella::cube::Projection;
-use terrella::geodesic::{AnyMethod, Area, Geodesic, GreatCircle, Karney, Method, Plane};
+use terrella::geodesic::{Area, Geodesic, GreatCircle, Karney, Method, Plane, Visitor};
 use terrella::scene::Scene;
 use terrella::{Ellipsoid, LatLon, Real};
 
@@ -24,24 +24,31 @@ fn both<T: Real>(sweep: Sweep, method: impl Geodesic<T>, name: &str, pairs: &[Pa
     });
 }
 
+/// Counts both problems of a method.
+struct Both<'a, T> {
+    sweep: Sweep,
+    name: &'a str,
+    pairs: &'a [Pair<T>],
+}
+
+impl<T: Real> Visitor<T> for Both<'_, T> {
+    type Output = ();
+
+    fn visit<M: Geodesic<T>>(self, method: M) {
+        both(self.sweep, method, self.name, self.pairs);
+    }
+}
+
 pub fn methods<T: Real>(sweep: Sweep, points: &Points<T>) {
     for (pairs, kind) in [
         (&points.ordinary, ""),
         (&points.short, ", short"),
         (&points.antipodal, ", nearly antipodal"),
     ] {
-        for &method in Method::ALL {
+        // What holds about one place is in `scene`.
+        for method in Method::ALL.iter().filter(|method| !method.needs_place()) {
             let name = &format!("{method}{kind}");
-            match method.on(Ellipsoid::WGS84).unwrap() {
-                AnyMethod::Haversine(method) => both(sweep, method, name, pairs),
-                AnyMethod::GreatCircle(method) => both(sweep, method, name, pairs),
-                AnyMethod::Flat(method) => both(sweep, method, name, pairs),
-                AnyMethod::Bowring(method) => both(sweep, method, name, pairs),
-                AnyMethod::Andoyer(method) => both(sweep, method, name, pairs),
-                AnyMethod::AndoyerSecond(method) => both(sweep, method, name, pairs),
-                AnyMethod::Vincenty(method) => both(sweep, method, name, pairs),
-                AnyMethod::Karney(method) => both(sweep, method, name, pairs),
-            }
+            method.on(Ellipsoid::WGS84).unwrap().visit(Both { sweep, name, pairs });
         }
     }
 }

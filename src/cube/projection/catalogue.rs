@@ -1,10 +1,7 @@
 //! The list of projections, as a type that picks one at run time.
 
-use core::fmt;
-use core::str::FromStr;
-
 use super::Projection;
-use crate::name::unknown;
+use crate::name::by_name;
 
 /// Makes modules, [`Projection`] and its functions of a list.
 macro_rules! projections {
@@ -94,22 +91,4 @@ macro_rules! projections {
 }
 pub(super) use projections;
 
-impl fmt::Display for Projection {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-unknown!(UnknownProjection, "projection", Projection::ALL.iter());
-
-impl FromStr for Projection {
-    type Err = UnknownProjection;
-
-    fn from_str(name: &str) -> Result<Self, UnknownProjection> {
-        Self::ALL
-            .iter()
-            .copied()
-            .find(|p| p.name() == name)
-            .ok_or_else(|| UnknownProjection::new(name))
-    }
-}
+by_name!(Projection, UnknownProjection, "projection");

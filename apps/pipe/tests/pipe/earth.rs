@@ -13,14 +13,20 @@ fn geodesics_and_positions() {
     let expected = [19_959_679.267_353_82, 161.067_669_986_16, 18.825_195_123_25];
     assert!(row.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-8), "{row:?}");
     for method in Method::ALL {
-        let there = answers(&format!("geodesic-direct --method {method}"), "40 -75 30 10000");
+        let there = answers(
+            &format!("geodesic-direct --method {method} --about 40,-75"),
+            "40 -75 30 10000",
+        );
         let row = &numbers(&there)[0];
         assert!(
             (row[0] - 40.077_98).abs() < 3e-4 && (row[1] + 74.941_38).abs() < 3e-4,
             "{method}: {there}"
         );
         let back = format!("40 -75 {} {}", row[0], row[1]);
-        let distance = numbers(&answers(&format!("geodesic-inverse --method {method}"), back))[0][0];
+        let distance = numbers(&answers(
+            &format!("geodesic-inverse --method {method} --about 40,-75"),
+            back,
+        ))[0][0];
         assert!((distance - 10_000.0).abs() < 0.05, "{method}: {distance}");
     }
     in_place(
@@ -44,9 +50,10 @@ fn geodesics_and_positions() {
     let enu = answers("to-enu --origin -40,-75,0", "-40.1 -75.2 100");
     let back = &numbers(&answers("from-enu --origin -40,-75,0", enu))[0];
     assert!((back[0] + 40.1).abs() < 1e-13 && (back[1] + 75.2).abs() < 1e-13 && (back[2] - 100.0).abs() < 1e-8);
-    assert!(complaint("to-enu --origin 1,2").contains("three numbers"));
+    assert!(complaint("to-enu --origin 1,2").contains("3 numbers"));
     assert!(complaint("to-enu --origin 91,0,0").contains("latitude 91.0 is not in"));
     assert!(complaint("geodesic-inverse --method bessel").contains("karney"));
+    assert!(complaint("geodesic-inverse --method plane").contains("plane needs a place"));
 }
 
 #[test]
