@@ -74,6 +74,7 @@ impl Models {
         }
     }
 
+    #[inline(always)]
     pub const fn distance(&self, method: Method) -> f64 {
         let truncation = if self.holds(method) {
             self.distance_truncated(method)

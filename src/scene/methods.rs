@@ -63,6 +63,7 @@ macro_rules! methods {
             }
 
             /// Whether the method holds in the scene at all.
+            #[inline(always)]
             pub const fn holds(&self, method: Method) -> bool {
                 match method {
                     $(Method::$method => { let $models = self; $holds })*
@@ -71,6 +72,7 @@ macro_rules! methods {
             }
 
             /// The error of the method's formulas: of a distance, in metres.
+            #[inline(always)]
             pub const fn distance_truncated(&self, method: Method) -> f64 {
                 match method {
                     $(Method::$method => { let $models = self; $distance })*
@@ -79,6 +81,7 @@ macro_rules! methods {
             }
 
             /// The error of the method's formulas: of an azimuth, in radians.
+            #[inline(always)]
             pub const fn azimuth_truncated(&self, method: Method) -> f64 {
                 match method {
                     $(Method::$method => { let $models = self; $azimuth })*
@@ -87,6 +90,7 @@ macro_rules! methods {
             }
 
             /// The error of the arithmetic: of a distance, in metres.
+            #[inline(always)]
             pub const fn rounding(&self, method: Method) -> f64 {
                 match (method, self.single) {
                     $(
@@ -98,6 +102,7 @@ macro_rules! methods {
             }
 
             /// How far the end of a line is off across it in `f64`, in metres.
+            #[inline(always)]
             pub const fn across(&self, method: Method) -> f64 {
                 match method {
                     $(Method::$method => { let $models = self; $across })*
