@@ -153,8 +153,8 @@ pub(super) fn off_pole<T: Real>(cos: T) -> T {
     max(cos, T::pick(1.491_668_146_240_041_3e-154, 8.673_617_4e-19))
 }
 
-/// The line itself; from pole to pole, where any meridian is a shortest line, the one that starts to the north
-/// ([`Geodesic`](super::Geodesic)).
+/// The line itself; from pole to pole, where any meridian is a shortest line, the one that starts to the
+/// north ([`Geodesic`](super::Geodesic)).
 #[inline(always)]
 pub(super) fn northward_between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, line: Inverse<T>) -> Inverse<T> {
     let right = T::of(90.0);

@@ -1,6 +1,6 @@
 //! Bessel's auxiliary sphere. Every geodesic of the ellipsoid is a great circle on this sphere, between the
-//! parametric latitudes and with the same azimuths; distance and longitude on the ellipsoid follow from the arc
-//! by two integrals ([`series`](super::series)).
+//! parametric latitudes and with the same azimuths; distance and longitude on the ellipsoid follow from the
+//! arc by two integrals ([`series`](super::series)).
 //!
 //! Symbols as in C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013), section 2: φ latitude, β
 //! parametric latitude, α azimuth, α₀ that at the node (the equator), σ arc from the node, ω longitude on the
@@ -54,8 +54,8 @@ pub(super) fn arc_from_node<T: Real>(alpha: Angle<T>, beta: Angle<T>) -> Angle<T
 
 /// The spherical triangle of the north pole and two points.
 ///
-/// Seen from point 1, `side` is 1. Between places more than 90° apart no digit is lost if they are seen from the
-/// antipode of point 1: `side` is −1, and −β₁ and π − ω₁₂ stand for β₁ and ω₁₂.
+/// Seen from point 1, `side` is 1. Between places more than 90° apart no digit is lost if they are seen from
+/// the antipode of point 1: `side` is −1, and −β₁ and π − ω₁₂ stand for β₁ and ω₁₂.
 #[derive(Clone, Copy)]
 pub(super) struct Triangle<T> {
     /// sin σ₁₂ times sine and cosine of α₁.
