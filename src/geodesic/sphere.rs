@@ -12,7 +12,7 @@ use crate::math::{hypot, sin_cos_degrees, sin_cos_quarter};
 
 /// β of a latitude φ in degrees, tan β = (1 − f) tan φ, and √(cos²φ + (1 − f)² sin²φ).
 #[inline(always)]
-pub(super) fn parametric<T: Real>(lat: T, axes: T) -> (Angle<T>, T) {
+pub fn parametric<T: Real>(lat: T, axes: T) -> (Angle<T>, T) {
     let (sin, cos) = sin_cos_degrees(lat);
     let sin = sin * axes;
     let divisor = (sin * sin + cos * cos).sqrt();
@@ -26,7 +26,7 @@ pub(super) fn parametric<T: Real>(lat: T, axes: T) -> (Angle<T>, T) {
 /// β and 1/√(cos²φ + (1 − f)² sin²φ), as [`parametric`] but by one division: cheaper, and a rounding less
 /// exact.
 #[cfg_attr(not(small), inline(always))]
-pub(super) fn parametric_by_reciprocal<T: Real>(lat: T, axes: T) -> (Angle<T>, T) {
+pub fn parametric_by_reciprocal<T: Real>(lat: T, axes: T) -> (Angle<T>, T) {
     let (sin, cos) = sin_cos_quarter(lat.abs());
     let sin = (sin * axes).copysign(lat);
     let inverse = T::ONE / (sin * sin + cos * cos).sqrt();
@@ -39,7 +39,7 @@ pub(super) fn parametric_by_reciprocal<T: Real>(lat: T, axes: T) -> (Angle<T>, T
 
 /// α₀ of the great circle through β with the azimuth α (Karney 5 and 10).
 #[inline(always)]
-pub(super) fn node<T: Real>(alpha: Angle<T>, beta: Angle<T>) -> Angle<T> {
+pub fn node<T: Real>(alpha: Angle<T>, beta: Angle<T>) -> Angle<T> {
     Angle {
         sin: alpha.sin * beta.cos,
         cos: hypot(alpha.cos, alpha.sin * beta.sin),
@@ -48,7 +48,7 @@ pub(super) fn node<T: Real>(alpha: Angle<T>, beta: Angle<T>) -> Angle<T> {
 
 /// σ of the point at β of the great circle with the azimuth α there (Karney 11).
 #[inline(always)]
-pub(super) fn arc_from_node<T: Real>(alpha: Angle<T>, beta: Angle<T>) -> Angle<T> {
+pub fn arc_from_node<T: Real>(alpha: Angle<T>, beta: Angle<T>) -> Angle<T> {
     Angle::of(beta.sin, alpha.cos * beta.cos)
 }
 
@@ -57,7 +57,7 @@ pub(super) fn arc_from_node<T: Real>(alpha: Angle<T>, beta: Angle<T>) -> Angle<T
 /// Seen from point 1, `side` is 1. Between places more than 90° apart no digit is lost if they are seen from
 /// the antipode of point 1: `side` is −1, and −β₁ and π − ω₁₂ stand for β₁ and ω₁₂.
 #[derive(Clone, Copy)]
-pub(super) struct Triangle<T> {
+pub struct Triangle<T> {
     /// sin σ₁₂ times sine and cosine of α₁.
     pub course1: Angle<T>,
     /// sin σ₁₂ times sine and cosine of α₂.
@@ -95,7 +95,7 @@ impl<T: Real> Triangle<T> {
 
 /// A great circle from a point along an azimuth.
 #[derive(Clone, Copy)]
-pub(super) struct Start<T> {
+pub struct Start<T> {
     pub beta1: Angle<T>,
     pub alpha1: Angle<T>,
     /// cos β₁ cos α₁ = cos α₀ cos σ₁; and sin β₁ = cos α₀ sin σ₁ (Karney 11).

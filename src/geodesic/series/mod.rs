@@ -23,7 +23,7 @@ pub(super) use area::AreaSeries;
 pub(super) use integrals::Integrals;
 
 /// Coefficients of a sine series, lowest first: as many as the longest order.
-pub(super) type Row<T> = [T; table::ORDER.0];
+pub type Row<T> = [T; table::ORDER.0];
 
 /// Entries of a triangle of rows of length ORDER − 1, …, 1.
 const ROWS: usize = table::ORDER.0 * (table::ORDER.0 - 1) / 2;
