@@ -7,7 +7,7 @@ use crate::{Ellipsoid, LatLon, Real};
 mod arc;
 pub(super) mod second;
 
-use arc::{Ends, Start};
+use arc::{Departure, Ends};
 
 /// Andoyer and Lambert's formula: the great circle between the parametric latitudes, corrected to the first
 /// order in the flattening. In closed form, for any distance.
@@ -90,7 +90,7 @@ impl<T: Real> Geodesic<T> for Andoyer<T> {
     /// all numbers.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let start = Start::new(self.axes, from, heading(azimuth, distance)?);
+        let start = Departure::new(self.axes, from, heading(azimuth, distance)?);
         // With the λ reached s = a(σ(1 − f) + f/2 cos²α (σ − sin σ cos 2σₘ)); solved for σ to the first
         // order.
         let half = T::of(0.5) * self.f * start.cos2_alpha0();

@@ -1,4 +1,4 @@
-use super::arc::{Ends, Start, waves};
+use super::arc::{Departure, Ends, waves};
 use crate::geodesic::angle::{heading, northward_between_poles, wrapped};
 use crate::geodesic::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
@@ -115,7 +115,7 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
     /// all numbers.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let start = Start::new(self.axes, from, heading(azimuth, distance)?);
+        let start = Departure::new(self.axes, from, heading(azimuth, distance)?);
         let series = self.series(start.cos2_alpha0());
         let radius = self.a * (self.axes * series.a1);
         let whole = distance / radius;
