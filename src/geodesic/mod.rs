@@ -111,7 +111,6 @@ use crate::{Ellipsoid, LatLon, Real};
 /// assert_eq!(distance.map(f64::round), [60.0, 120.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[doc(alias = "geodesy", alias = "Geodesic::WGS84")]
 pub trait Geodesic<T: Real> {
     /// Solves the inverse problem: returns the distance between two places and the azimuths at both.
     ///

@@ -31,7 +31,7 @@ pub use polygon::PolygonArea;
 /// solver, which is slower, when
 ///
 /// * the ellipsoid is flatter, or more elongated, than that;
-/// * the places coincide, or one is a pole and the other a pole or next to the opposite pole;
+/// * the places coincide, or both are poles;
 /// * an azimuth is beyond ±360°, or a distance beyond 300 (`f32`: 60) polar radii.
 ///
 /// The bracketed solver takes series in the third flattening, to order 6 on the Earth's ellipsoids and up to
