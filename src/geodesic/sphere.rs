@@ -55,7 +55,7 @@ pub fn arc_from_node<T: Real>(alpha: Angle<T>, beta: Angle<T>) -> Angle<T> {
 /// The spherical triangle of the north pole and two points.
 ///
 /// Seen from point 1, `side` is 1. Between places more than 90° apart no digit is lost if they are seen from
-/// the antipode of point 1: `side` is −1, and −β₁ and π − ω₁₂ stand for β₁ and ω₁₂.
+/// the antipode of point 1: `side` is −1, and π − ω₁₂ stands for ω₁₂.
 #[derive(Clone, Copy)]
 pub struct Triangle<T> {
     /// sin σ₁₂ times sine and cosine of α₁.
@@ -68,20 +68,21 @@ pub struct Triangle<T> {
 }
 
 impl<T: Real> Triangle<T> {
-    /// The triangle for one ω₁₂, whose versine is 1 − cos ω₁₂. `rise` is sin(β₂ − β₁): in its terms nothing
-    /// cancels between neighbours (Karney 49 to 51, written with the versine).
+    /// The triangle for one ω₁₂, whose versine is 1 − cos ω₁₂. `rise` is sin(β₂ − β₁), from the antipode
+    /// sin(β₂ + β₁): in its terms nothing cancels between neighbours (Karney 49 to 51, written with the
+    /// versine).
     #[inline(always)]
     pub fn new(side: T, [beta1, beta2]: [Angle<T>; 2], rise: T, omega: Angle<T>, versine: T) -> Self {
         Self {
             course1: Angle {
                 sin: beta2.cos * omega.sin,
-                cos: rise + beta1.sin * beta2.cos * versine,
+                cos: rise + side * (beta1.sin * beta2.cos * versine),
             },
             course2: Angle {
                 sin: beta1.cos * omega.sin,
                 cos: side * (rise - beta2.sin * beta1.cos * versine),
             },
-            sines: side * (beta1.sin * beta2.sin),
+            sines: beta1.sin * beta2.sin,
             cosines: side * (beta1.cos * beta2.cos * omega.cos),
         }
     }

@@ -11,10 +11,9 @@ use crate::{LatLon, Real};
 /// ([`Triangle`]): π − ω and π − λ stand for ω and λ.
 #[derive(Clone, Copy)]
 pub struct Ends<T> {
-    /// Of the first end, or of its antipode.
     beta1: Angle<T>,
     beta2: Angle<T>,
-    /// sin(β₂ − β₁).
+    /// sin(β₂ − β₁), or sin(β₂ + β₁).
     rise: T,
     /// −1 if seen from the antipode, else 1.
     pub side: T,
@@ -61,13 +60,11 @@ impl<T: Real> Ends<T> {
         // than its rounding. Not so between a pole and itself.
         let opposite = far & (beta1.sin * beta2.sin <= T::ZERO);
         let least = select(opposite, T::EPSILON * T::EPSILON, T::ZERO);
-        let side = select(far, -T::ONE, T::ONE);
-        beta1.sin *= side;
         Self {
             beta1,
             beta2,
             rise: max(rise.abs(), least).copysign(rise),
-            side,
+            side: select(far, -T::ONE, T::ONE),
             lambda12: lon12 * T::of(core::f64::consts::PI / 180.0),
             east,
         }

@@ -36,8 +36,8 @@ fn fixed<T: Real>() -> usize {
 const STEPS: usize = 40;
 
 impl<T: Real> Solver<T> {
-    /// The inverse problem; none between places so near that squares underflow, and between poles: no others are
-    /// known.
+    /// The inverse problem; none between places so near that squares underflow, and between poles: no others
+    /// are known.
     #[inline(always)]
     pub fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Option<Inverse<T>> {
         let pair = Pair::new(self.axes, from, to);

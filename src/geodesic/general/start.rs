@@ -52,11 +52,7 @@ impl<T: Real> Canonical<T> {
                 cos: -omega.cos,
             };
             let versine = omega.sin * omega.sin / (T::ONE + seen.cos);
-            let antipode = Angle {
-                sin: -beta1.sin,
-                cos: beta1.cos,
-            };
-            let triangle = Triangle::new(-T::ONE, [antipode, beta2], sum_sin, seen, versine);
+            let triangle = Triangle::new(-T::ONE, [beta1, beta2], sum_sin, seen, versine);
             // Not the triangle's: next to a pole places may be as far apart in longitude, and yet neighbours.
             let alpha2 = Angle {
                 sin: beta1.cos * omega.sin,
