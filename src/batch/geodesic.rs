@@ -220,17 +220,17 @@ fn solve<T: Real, P: Problem<T>, D: Constructor<T, 4, Error = InvalidProblem<T>>
     }
 }
 
-/// Solves the inverse problem for pairs of places: latitudes and longitudes in degrees to distances in metres and azimuths
-/// at both places in degrees, with the bits of [`Geodesic::inverse`].
+/// Solves the inverse problem for pairs of places: latitudes and longitudes in degrees to distances in metres
+/// and azimuths at both places in degrees, with the bits of [`Geodesic::inverse`].
 ///
 /// The fastest methods in a batch are those that override [`Geodesic::fast_inverse`] or are without branches:
-/// [`Karney`](crate::geodesic::Karney), [`Vincenty`](crate::geodesic::Vincenty) and the closed formulas. Pairs without
-/// a fast answer, most of them nearly antipodal, are solved one by one.
+/// [`Karney`](crate::geodesic::Karney), [`Vincenty`](crate::geodesic::Vincenty) and the closed formulas.
+/// Pairs without a fast answer, most of them nearly antipodal, are solved one by one.
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses a place; nothing is written then. Also if
-/// the method has no answer for a pair, as [`Vincenty`](crate::geodesic::Vincenty) near the antipode: its results are
-/// NaN, all others are written, and the error names the first such pair.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses a place; nothing is written
+/// then. Also if the method has no answer for a pair, as [`Vincenty`](crate::geodesic::Vincenty) near the
+/// antipode: its results are NaN, all others are written, and the error names the first such pair.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};
@@ -252,12 +252,13 @@ pub fn inverse<T: Real, M: Geodesic<T>>(
     solve(Inverse(method), &Pairs, [lat1, lon1, lat2, lon2], lines)
 }
 
-/// Solves the direct problem for places: latitudes, longitudes and azimuths in degrees and distances in metres to
-/// latitudes, longitudes and azimuths of the destinations in degrees, with the bits of [`Geodesic::direct`].
+/// Solves the direct problem for places: latitudes, longitudes and azimuths in degrees and distances in
+/// metres to latitudes, longitudes and azimuths of the destinations in degrees, with the bits of
+/// [`Geodesic::direct`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or the method refuses an element; nothing is written
-/// then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or the method refuses an element;
+/// nothing is written then.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};

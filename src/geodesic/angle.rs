@@ -8,7 +8,7 @@ use crate::{LatLon, Real};
 /// An angle by its sine and cosine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Angle<T> {
+pub struct Angle<T> {
     pub sin: T,
     pub cos: T,
 }
@@ -103,13 +103,13 @@ impl<T: Real> DoubleWord<T> {
 
 /// The second latitude less the first, in degrees.
 #[cfg_attr(not(small), inline(always))]
-pub(super) fn latitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> DoubleWord<T> {
+pub fn latitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> DoubleWord<T> {
     DoubleWord::sum(to.lat(), -from.lat())
 }
 
 /// The second longitude less the first, in degrees, in [−180, 180].
 #[cfg_attr(not(small), inline(always))]
-pub(super) fn longitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> DoubleWord<T> {
+pub fn longitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> DoubleWord<T> {
     let half_circle = T::of(180.0);
     let whole = DoubleWord::sum(to.lon(), -from.lon());
     let over = either(whole.high.abs() > half_circle, half_circle.copysign(whole.high));
@@ -122,7 +122,7 @@ pub(super) fn longitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> D
 
 /// An angle in [−540, 540] degrees brought to [−180, 180].
 #[inline(always)]
-pub(super) fn wrapped<T: Real>(angle: T) -> T {
+pub fn wrapped<T: Real>(angle: T) -> T {
     let half_circle = T::of(180.0);
     let circle = T::of(360.0);
     angle - select(angle > half_circle, circle, T::ZERO) + select(angle < -half_circle, circle, T::ZERO)
@@ -130,7 +130,7 @@ pub(super) fn wrapped<T: Real>(angle: T) -> T {
 
 /// Sine and cosine of an azimuth in degrees, if it and the distance that belongs to it are finite.
 #[cfg_attr(not(small), inline(always))]
-pub(super) fn heading<T: Real>(azimuth: T, distance: T) -> Result<(T, T), GeodesicError<T>> {
+pub fn heading<T: Real>(azimuth: T, distance: T) -> Result<(T, T), GeodesicError<T>> {
     if !azimuth.is_finite() {
         return Err(GeodesicError::Azimuth(azimuth));
     }
@@ -148,15 +148,15 @@ pub(super) fn heading<T: Real>(azimuth: T, distance: T) -> Result<(T, T), Geodes
 
 /// The cosine of a latitude, never 0: the azimuth at a pole is then the limit along the meridian.
 #[inline(always)]
-pub(super) fn off_pole<T: Real>(cos: T) -> T {
+pub fn off_pole<T: Real>(cos: T) -> T {
     // 2^−511 and 2^−60: their squares are normal numbers still.
     max(cos, T::pick(1.491_668_146_240_041_3e-154, 8.673_617_4e-19))
 }
 
-/// The line itself; from pole to pole, where any meridian is a shortest line, the one that starts to the north
-/// ([`Geodesic`](super::Geodesic)).
+/// The line itself; from pole to pole, where any meridian is a shortest line, the one that starts to the
+/// north ([`Geodesic`](super::Geodesic)).
 #[inline(always)]
-pub(super) fn northward_between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, line: Inverse<T>) -> Inverse<T> {
+pub fn northward_between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, line: Inverse<T>) -> Inverse<T> {
     let right = T::of(90.0);
     if (from.lat().abs() == right) & (to.lat().abs() == right) {
         return Inverse {

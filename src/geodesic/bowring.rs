@@ -5,10 +5,12 @@ use crate::latitude::UnsupportedFlattening;
 use crate::math::{atan2_degrees, max, min, sin_cos, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// Bowring's formulas for lines up to 150 km: the great circle on a sphere that touches the ellipsoid at the first place.
+/// Bowring's formulas for lines up to 150 km: the great circle on a sphere that touches the ellipsoid at the
+/// first place.
 ///
-/// B. R. Bowring, *The direct and inverse problems for short geodesic lines on the ellipsoid*, Surveying and Mapping 41,
-/// 1981. The map from the ellipsoid to the sphere is conformal, and both problems have a closed form.
+/// B. R. Bowring, *The direct and inverse problems for short geodesic lines on the ellipsoid*, Surveying and
+/// Mapping 41, 1981. The map from the ellipsoid to the sphere is conformal, and both problems have a closed
+/// form.
 ///
 /// Worst error on the Earth at any latitude, in metres:
 ///
@@ -20,8 +22,8 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 150 km | 4e-3 | 3e-3 |
 /// | 1000 km | 5 | 7 |
 ///
-/// Beyond, the error grows with the cube of the distance and faster, up to hundreds of kilometres. `f32` adds 7e-7 of the
-/// distance, and 2 m to a position.
+/// Beyond, the error grows with the cube of the distance and faster, up to hundreds of kilometres. `f32` adds
+/// 7e-7 of the distance, and 2 m to a position.
 ///
 /// ```
 /// use terrella::geodesic::{Bowring, Geodesic};

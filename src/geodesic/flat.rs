@@ -5,14 +5,15 @@ use crate::latitude::UnsupportedFlattening;
 use crate::math::DoubleWord;
 use crate::{Ellipsoid, LatLon, Real};
 
-/// A plane for short distances, scaled by the radii of curvature at the middle latitude. Few methods are cheaper.
+/// A plane for short distances, scaled by the radii of curvature at the middle latitude. Few methods are
+/// cheaper.
 ///
-/// The second place is M Δφ north and N cos φ Δλ east of the first, with the meridional and the prime-vertical radius of
-/// curvature M and N at the mean φ of both latitudes. The azimuths differ from the plane's by half of the convergence of
-/// the meridians, Δλ sin φ, to either side.
+/// The second place is M Δφ north and N cos φ Δλ east of the first, with the meridional and the
+/// prime-vertical radius of curvature M and N at the mean φ of both latitudes. The azimuths differ from the
+/// plane's by half of the convergence of the meridians, Δλ sin φ, to either side.
 ///
-/// Worst error on the Earth of distance, of azimuths × distance, and of the position in the direct problem, in metres,
-/// by the latitude of the first place:
+/// Worst error on the Earth of distance, of azimuths × distance, and of the position in the direct problem,
+/// in metres, by the latitude of the first place:
 ///
 /// | distance | 0 to 30° | 30 to 60° | 60 to 80° | 80 to 89° |
 /// |---|---|---|---|---|
@@ -20,9 +21,9 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 10 km | 1.4e-3 | 6e-3 | 6e-2 | 6 |
 /// | 100 km | 1.4 | 6 | 60 | 1.2e4 |
 ///
-/// The error grows with the cube of the distance. Nearer to a pole than ten times the distance, and beyond 1000 km
-/// anywhere, do not use it: results are finite, and may be wrong by their own size. `f32` adds 7e-7 of the distance, and
-/// 2 m to a position.
+/// The error grows with the cube of the distance. Nearer to a pole than ten times the distance, and beyond
+/// 1000 km anywhere, do not use it: results are finite, and may be wrong by their own size. `f32` adds 7e-7
+/// of the distance, and 2 m to a position.
 ///
 /// ```
 /// use terrella::geodesic::{Flat, Geodesic};

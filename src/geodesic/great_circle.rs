@@ -3,11 +3,11 @@ use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, select, sin_cos, sin_cos_degrees};
 use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
-/// The great circle, the shortest line on a sphere. As accurate between neighbours and near the antipode as anywhere
-/// else.
+/// The great circle, the shortest line on a sphere. As accurate between neighbours and near the antipode as
+/// anywhere else.
 ///
-/// Delambre's analogies give half of the angle and both azimuths from the halves of the longitudes' difference and of
-/// the latitudes' difference and sum. They are products only, so that no digits are lost.
+/// Delambre's analogies give half of the angle and both azimuths from the halves of the longitudes'
+/// difference and of the latitudes' difference and sum. They are products only, so that no digits are lost.
 ///
 /// | worst error | `f64` | `f32` |
 /// |---|---|---|
@@ -16,8 +16,8 @@ use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// | destination, up to half a circle away | 1.1e-15 rad | 6.0e-7 rad |
 /// | azimuth there × cosine of the latitude | 1.5e-15 rad | 8.0e-7 rad |
 ///
-/// Beyond half a circle the destination's error grows by 1e-16 (`f32`: 6e-8) of the distance. As a model of the Earth a
-/// sphere of any radius is up to 0.56 % wrong.
+/// Beyond half a circle the destination's error grows by 1e-16 (`f32`: 6e-8) of the distance. As a model of
+/// the Earth a sphere of any radius is up to 0.56 % wrong.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, GreatCircle};
@@ -43,15 +43,16 @@ struct Track<T> {
     cross: T,
 }
 
-/// The line between two places, by Delambre's four products: sine and cosine of half the sum of the azimuths times the
-/// sine of half the side, and of half their difference times its cosine.
+/// The line between two places, by Delambre's four products: sine and cosine of half the sum of the azimuths
+/// times the sine of half the side, and of half their difference times its cosine.
 pub(super) struct Delambre<T> {
     sum: (T, T),
     difference: (T, T),
 }
 
 impl<T: Real> Delambre<T> {
-    /// From half the longitudes' difference, and half the latitudes' difference and sum, as sines and cosines.
+    /// From half the longitudes' difference, and half the latitudes' difference and sum, as sines and
+    /// cosines.
     #[inline(always)]
     pub fn new(
         (sin_lon, cos_lon): (T, T),
@@ -127,8 +128,8 @@ impl<T: Real> GreatCircle<T> {
 
     /// Returns the distance in metres between two places, `[latitude, longitude]` in radians.
     ///
-    /// The worst error is that of the distance above, for latitudes in [−π/2, π/2] and longitudes up to ±10⁴ (`f32`:
-    /// ±50). Beyond, the result is NaN.
+    /// The worst error is that of the distance above, for latitudes in [−π/2, π/2] and longitudes up to ±10⁴
+    /// (`f32`: ±50). Beyond, the result is NaN.
     ///
     /// ```
     /// use core::f64::consts::PI;
@@ -149,8 +150,8 @@ impl<T: Real> GreatCircle<T> {
 
     /// Returns the angle between two directions in radians, in [0, π].
     ///
-    /// Worst relative error 4.0e-16 (`f32`: 2.2e-7), for angles down to 1e-12; the rounding of the directions' own lengths
-    /// shows in smaller ones.
+    /// Worst relative error 4.0e-16 (`f32`: 2.2e-7), for angles down to 1e-12; the rounding of the
+    /// directions' own lengths shows in smaller ones.
     ///
     /// ```
     /// use terrella::{Direction, geodesic::GreatCircle};
@@ -170,10 +171,11 @@ impl<T: Real> GreatCircle<T> {
         atan2(cross, dot + dot)
     }
 
-    /// Returns the place at a fraction of the line between two places: 0 is the first place, 1 the second; other
-    /// fractions lie beyond, on the same circle.
+    /// Returns the place at a fraction of the line between two places: 0 is the first place, 1 the second;
+    /// other fractions lie beyond, on the same circle.
     ///
-    /// The worst error is that of the destination. Between antipodes the line is that of [`Geodesic::inverse`].
+    /// The worst error is that of the destination. Between antipodes the line is that of
+    /// [`Geodesic::inverse`].
     ///
     /// # Errors
     /// [`GeodesicError::Fraction`] if the fraction, or its product with the distance, is infinite or NaN.
@@ -208,11 +210,11 @@ impl<T: Real> GreatCircle<T> {
         destination(from, sin_cos_degrees(line.azimuths().0), line.angle() * T::of(0.5)).position
     }
 
-    /// Returns the distance in metres of a place from the great circle through `start` and `end`: positive to the right
-    /// of the way from start to end, negative to the left.
+    /// Returns the distance in metres of a place from the great circle through `start` and `end`: positive to
+    /// the right of the way from start to end, negative to the left.
     ///
-    /// The worst error is 2e-15 (`f32`: 1e-6) of the distance from the start to the place, or of the radius if that is
-    /// less, for legs of any length. On the Earth:
+    /// The worst error is 2e-15 (`f32`: 1e-6) of the distance from the start to the place, or of the radius
+    /// if that is less, for legs of any length. On the Earth:
     ///
     /// | from the start | `f64` | `f32` |
     /// |---|---|---|
@@ -237,11 +239,11 @@ impl<T: Real> GreatCircle<T> {
         track(place, start, end).cross * self.radius
     }
 
-    /// Returns the distance in metres from the start, along the great circle through `start` and `end`, to the point of
-    /// that circle nearest to a place; negative behind the start.
+    /// Returns the distance in metres from the start, along the great circle through `start` and `end`, to
+    /// the point of that circle nearest to a place; negative behind the start.
     ///
-    /// The worst error is that of [`cross_track`](Self::cross_track), divided by the cosine of the cross-track distance
-    /// in radii.
+    /// The worst error is that of [`cross_track`](Self::cross_track), divided by the cosine of the
+    /// cross-track distance in radii.
     #[must_use]
     pub fn along_track(&self, place: LatLon<T>, start: LatLon<T>, end: LatLon<T>) -> T {
         track(place, start, end).along * self.radius
@@ -293,8 +295,8 @@ pub(super) struct End<T> {
     pub azimuth: T,
 }
 
-/// The end of an arc, from sine and cosine of the latitude, the azimuth and the arc. Its latitude is that whose tangent is
-/// 1/`axes` times the tangent on the sphere.
+/// The end of an arc, from sine and cosine of the latitude, the azimuth and the arc. Its latitude is that
+/// whose tangent is 1/`axes` times the tangent on the sphere.
 #[cfg_attr(not(small), inline(always))]
 pub(super) fn end<T: Real>((sin1, cos1): (T, T), azimuth: (T, T), (sin, cos): (T, T), axes: T) -> End<T> {
     let cos1 = off_pole(cos1);

@@ -6,9 +6,9 @@ use crate::{Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
 /// The great circle by the haversine formula, as most programs have it: to reproduce their figures.
 ///
-/// sin²(σ/2) = sin²(Δφ/2) + cos φ₁ cos φ₂ sin²(Δλ/2), clamped to 1 (Sinnott, 1984). The formula is good between
-/// neighbours. Near the antipode 1 − sin²(σ/2) is lost to rounding, and with it half of the digits. [`GreatCircle`] costs
-/// no more and is exact there, too.
+/// sin²(σ/2) = sin²(Δφ/2) + cos φ₁ cos φ₂ sin²(Δλ/2), clamped to 1 (Sinnott, 1984). The formula is good
+/// between neighbours. Near the antipode 1 − sin²(σ/2) is lost to rounding, and with it half of the digits.
+/// [`GreatCircle`] costs no more and is exact there, too.
 ///
 /// | angle short of the antipode | worst error of the distance, `f64` | `f32` |
 /// |---|---|---|
@@ -18,7 +18,8 @@ use crate::{Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// | 0.1° | 6.6e-13 rad, 4 µm | 3.7e-4 rad, 2.4 km |
 /// | 0 | 4.3e-8 rad, 0.3 m | 1.0e-3 rad, 6.4 km |
 ///
-/// Azimuths and the direct problem are those of [`GreatCircle`]. The inverse problem never fails, and is never NaN.
+/// Azimuths and the direct problem are those of [`GreatCircle`]. The inverse problem never fails, and is
+/// never NaN.
 ///
 /// ```
 /// use terrella::LatLon;

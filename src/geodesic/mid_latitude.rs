@@ -1,5 +1,5 @@
-//! The mid-latitude formula: between two places the ellipsoid is a plane whose scales are those of their mean latitude.
-//! What [`Flat`](super::Flat) and [`Plane`](super::Plane) share.
+//! The mid-latitude formula: between two places the ellipsoid is a plane whose scales are those of their mean
+//! latitude. What [`Flat`](super::Flat) and [`Plane`](super::Plane) share.
 
 use super::angle::{heading, latitude_difference, longitude_difference, northward_between_poles, wrapped};
 use super::{Direct, GeodesicError, Inverse};

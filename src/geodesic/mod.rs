@@ -1,8 +1,8 @@
 //! Distances, azimuths, destinations and areas on the ellipsoid and on the sphere.
 //!
-//! Each method is a type, made for one ellipsoid or sphere, and solves the same two problems through the trait
-//! [`Geodesic`]: the *inverse* problem (two places → distance and azimuths) and the *direct* problem (place, azimuth,
-//! distance → destination). Take [`Karney`] unless code size or speed forces another choice;
+//! Each method is a type, made for one ellipsoid or sphere, and solves the same two problems through the
+//! trait [`Geodesic`]: the *inverse* problem (two places → distance and azimuths) and the *direct* problem
+//! (place, azimuth, distance → destination). Take [`Karney`] unless code size or speed forces another choice;
 //! [`scene`](crate::scene) chooses the cheapest method for a region and a tolerance.
 //!
 //! | method | model | worst error of the distance on the Earth |
@@ -17,8 +17,8 @@
 //! | [`GreatCircle`] | sphere | 0.56 % |
 //! | [`Haversine`] | sphere | 0.56 % |
 //!
-//! [`Area`] and [`PolygonArea`] measure polygons of any size, [`PlanarArea`] fields of some hundred kilometres.
-//! [`batch::geodesic`](crate::batch::geodesic) solves whole slices.
+//! [`Area`] and [`PolygonArea`] measure polygons of any size, [`PlanarArea`] fields of some hundred
+//! kilometres. [`batch::geodesic`](crate::batch::geodesic) solves whole slices.
 //!
 //! Azimuths are in degrees clockwise from north, distances in metres, latitudes and longitudes in degrees.
 
@@ -63,13 +63,13 @@ use crate::{Ellipsoid, LatLon, Real};
 
 /// A method that solves the inverse and the direct problem of geodesy.
 ///
-/// The distance and both azimuths of an [`Inverse`] belong to the same line: from the first place along `azimuth1`,
-/// after `distance` metres, it reaches the second place and arrives there with `azimuth2`. If there are several
-/// shortest lines, all three numbers belong to one of them.
+/// The distance and both azimuths of an [`Inverse`] belong to the same line: from the first place along
+/// `azimuth1`, after `distance` metres, it reaches the second place and arrives there with `azimuth2`. If
+/// there are several shortest lines, all three numbers belong to one of them.
 ///
 /// At a pole, an azimuth counts from the meridian of the longitude that is given with the pole. Between some
-/// places the azimuths are not determined. There all methods follow the same rule: the line starts to the north,
-/// with `azimuth1` = 0:
+/// places the azimuths are not determined. There all methods follow the same rule: the line starts to the
+/// north, with `azimuth1` = 0:
 ///
 /// | places | distance | `azimuth2` |
 /// |---|---|---|
@@ -111,7 +111,6 @@ use crate::{Ellipsoid, LatLon, Real};
 /// assert_eq!(distance.map(f64::round), [60.0, 120.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[doc(alias = "geodesy", alias = "Geodesic::WGS84")]
 pub trait Geodesic<T: Real> {
     /// Solves the inverse problem: returns the distance between two places and the azimuths at both.
     ///
@@ -120,23 +119,23 @@ pub trait Geodesic<T: Real> {
     #[doc(alias = "geod_inverse", alias = "distance", alias = "bearing")]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>>;
 
-    /// Solves the direct problem: returns the place that is reached from a place, at an azimuth in degrees, after a
-    /// distance in metres, and the azimuth there. A negative distance goes backwards.
+    /// Solves the direct problem: returns the place that is reached from a place, at an azimuth in degrees,
+    /// after a distance in metres, and the azimuth there. A negative distance goes backwards.
     ///
     /// # Errors
     /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN;
-    /// [`GeodesicError::TooFar`] for a distance that is longer than the method's limit, if it has one. A method on an
-    /// ellipsoid of metres or less may refuse the largest numbers.
+    /// [`GeodesicError::TooFar`] for a distance that is longer than the method's limit, if it has one. A
+    /// method on an ellipsoid of metres or less may refuse the largest numbers.
     #[doc(alias = "geod_direct", alias = "destination")]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>>;
 
-    /// Solves the inverse problem for [`batch::geodesic::inverse`](crate::batch::geodesic::inverse). Returns a line,
-    /// and whether it is that of [`inverse`](Self::inverse), bit for bit. If not, the line may hold any numbers, and
-    /// the batch calls [`inverse`](Self::inverse).
+    /// Solves the inverse problem for [`batch::geodesic::inverse`](crate::batch::geodesic::inverse). Returns
+    /// a line, and whether it is that of [`inverse`](Self::inverse), bit for bit. If not, the line may hold
+    /// any numbers, and the batch calls [`inverse`](Self::inverse).
     ///
-    /// The default calls [`inverse`](Self::inverse). Override it, with `#[inline(always)]`, if most places can be
-    /// solved without a branch that depends on them, so that the loop vectorises. It must return for any numbers, also
-    /// for latitudes and longitudes that [`LatLon::new`] refuses.
+    /// The default calls [`inverse`](Self::inverse). Override it, with `#[inline(always)]`, if most places
+    /// can be solved without a branch that depends on them, so that the loop vectorises. It must return for
+    /// any numbers, also for latitudes and longitudes that [`LatLon::new`] refuses.
     #[inline(always)]
     fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
         match self.inverse(from, to) {
@@ -155,9 +154,9 @@ pub trait Geodesic<T: Real> {
         }
     }
 
-    /// A distance in metres up to which, forward or backward, [`direct`](Self::direct) never refuses a finite azimuth.
-    /// Longer ones are solved twice in a batch, which has to know before it writes anything whether one is refused.
-    /// The default is 0.
+    /// A distance in metres up to which, forward or backward, [`direct`](Self::direct) never refuses a finite
+    /// azimuth. Longer ones are solved twice in a batch, which has to know before it writes anything whether
+    /// one is refused. The default is 0.
     #[inline(always)]
     fn reach(&self) -> T {
         T::ZERO
@@ -172,8 +171,8 @@ pub struct Inverse<T> {
     pub distance: T,
     /// The azimuth at the first place toward the second, in degrees clockwise from north, in [−180, 180].
     pub azimuth1: T,
-    /// The azimuth of travel at the second place, in degrees clockwise from north, in [−180, 180]. It points away from
-    /// the first place; the way back starts at `azimuth2` + 180.
+    /// The azimuth of travel at the second place, in degrees clockwise from north, in [−180, 180]. It points
+    /// away from the first place; the way back starts at `azimuth2` + 180.
     pub azimuth2: T,
 }
 
@@ -208,8 +207,8 @@ impl<T: Real> Direct<T> {
     }
 }
 
-/// The ellipsoid, if its flattening is at most 1/60: that far the short series and polynomials of the simpler methods
-/// keep what they claim.
+/// The ellipsoid, if its flattening is at most 1/60: that far the short series and polynomials of the simpler
+/// methods keep what they claim.
 fn nearly_round<T: Real>(ellipsoid: Ellipsoid<T>) -> Result<Ellipsoid<T>, UnsupportedFlattening<T>> {
     // 1/60, and room for its rounding.
     if ellipsoid.f().abs() > T::of(1.0 / 60.0 + 1e-8) {

@@ -6,15 +6,15 @@ use crate::{Ellipsoid, LatLon, Real};
 
 /// Areas of fields of up to some hundred kilometres, in the tangent plane: in `f32` as exact as the corners.
 ///
-/// [`Area`](super::Area) adds the areas between the edges and the equator, which are far larger than a field: in `f32`
-/// nothing of the field is left. Here only differences from the polygon's first corner count. [`PlanarArea::local`] takes
-/// corners as offsets from an origin: `f32` holds offsets to 2⁻²⁴ of themselves, latitudes and longitudes only to 0.4 m.
-/// Corners may be anywhere, also at a pole and round it.
+/// [`Area`](super::Area) adds the areas between the edges and the equator, which are far larger than a field:
+/// in `f32` nothing of the field is left. Here only differences from the polygon's first corner count.
+/// [`PlanarArea::local`] takes corners as offsets from an origin: `f32` holds offsets to 2⁻²⁴ of themselves,
+/// latitudes and longitudes only to 0.4 m. Corners may be anywhere, also at a pole and round it.
 ///
-/// For a perimeter P and corners at most D apart, D ≤ R/5, the error is at most
-/// P D (r + 0.038 e² (D/R)² + 0.032 (D/R)⁴), with R = a(1 − f)² and r = 3·10⁻¹⁶ (`f32`: 1.2·10⁻⁷). The largest errors
-/// seen, as a part of the area, of fields about as wide as long, with their middle 0 to 200 km from the origin, at
-/// latitudes 0 to 89.9:
+/// For a perimeter P and corners at most D apart, D ≤ R/5, the error is at most P D (r + 0.038 e² (D/R)² +
+/// 0.032 (D/R)⁴), with R = a(1 − f)² and r = 3·10⁻¹⁶ (`f32`: 1.2·10⁻⁷). The largest errors seen, as a part of
+/// the area, of fields about as wide as long, with their middle 0 to 200 km from the origin, at latitudes 0
+/// to 89.9:
 ///
 /// | across | `f64` | `f32` |
 /// |---|---|---|
@@ -22,10 +22,10 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | 100 km | 3·10⁻⁷ | 6·10⁻⁷ |
 /// | 200 km | 10⁻⁶ | 10⁻⁶ |
 ///
-/// Corners are projected orthographically on the tangent plane at the first one. The triangle of that corner and the edge
-/// from b to c has the area ½ b × c in the plane, and ½ b × c (1 + (b² + c² + (c − b)²)/(8MN)) on the ellipsoid: edges are
-/// straight in the gnomonic projection of the sphere with the same curvature 1/(MN), and the integral of its areal scale
-/// over the triangle is this polynomial, to the second order.
+/// Corners are projected orthographically on the tangent plane at the first one. The triangle of that corner
+/// and the edge from b to c has the area ½ b × c in the plane, and ½ b × c (1 + (b² + c² + (c − b)²)/(8MN))
+/// on the ellipsoid: edges are straight in the gnomonic projection of the sphere with the same curvature
+/// 1/(MN), and the integral of its areal scale over the triangle is this polynomial, to the second order.
 ///
 /// ```
 /// use terrella::geodesic::PlanarArea;
@@ -48,7 +48,8 @@ pub struct PlanarArea<T> {
     origin: T,
 }
 
-/// The area of a polygon whose edges are geodesics, from [`PlanarArea::polygon`]: add its corners in order, then ask.
+/// The area of a polygon whose edges are geodesics, from [`PlanarArea::polygon`]: add its corners in order,
+/// then ask.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PlanarPolygon<T> {
@@ -89,7 +90,8 @@ impl<T: Real> PlanarArea<T> {
         nearly_round(ellipsoid).map(|ellipsoid| Self::within(ellipsoid, origin.lat()))
     }
 
-    /// For an ellipsoid known to be nearly round, and the latitude that those of the corners are counted from.
+    /// For an ellipsoid known to be nearly round, and the latitude that those of the corners are counted
+    /// from.
     pub(crate) const fn within(ellipsoid: Ellipsoid<T>, origin: T) -> Self {
         Self { ellipsoid, origin }
     }
@@ -148,8 +150,8 @@ impl<T: Real> PlanarPolygon<T> {
         self.last = [east, north];
     }
 
-    /// Returns the area in m², positive if the corners run counter-clockwise, negative if clockwise; 0 for fewer than
-    /// three corners.
+    /// Returns the area in m², positive if the corners run counter-clockwise, negative if clockwise; 0 for
+    /// fewer than three corners.
     #[must_use]
     pub fn area(&self) -> T {
         T::of(0.5) * self.doubled.value()

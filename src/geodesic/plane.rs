@@ -5,15 +5,16 @@ use crate::latitude::UnsupportedFlattening;
 use crate::math::{DoubleWord, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// [`Flat`](super::Flat) about one place: its scales are polynomials of the second degree in the latitude, so that the
-/// distance needs no sine. The cheapest method here.
+/// [`Flat`](super::Flat) about one place: its scales are polynomials of the second degree in the latitude, so
+/// that the distance needs no sine. The cheapest method here.
 ///
-/// If both latitudes are within δ radians of the place's latitude, a distance s is wrong by at most
-/// s δ³/6 (tan φ + 6e² + δ/4) more than with [`Flat`](super::Flat), where φ is the latitude farthest from the equator
-/// (Taylor's theorem): 0.2 mm on 1 km within 0.5° at latitude 60. [`scene`](crate::scene) has both errors as one bound.
+/// If both latitudes are within δ radians of the place's latitude, a distance s is wrong by at most s δ³/6
+/// (tan φ + 6e² + δ/4) more than with [`Flat`](super::Flat), where φ is the latitude farthest from the
+/// equator (Taylor's theorem): 0.2 mm on 1 km within 0.5° at latitude 60. [`scene`](crate::scene) has both
+/// errors as one bound.
 ///
-/// [`Plane::local`] takes places as offsets from the place. `f32` holds offsets to 2⁻²⁴ of themselves, latitudes and
-/// longitudes only to 0.4 m.
+/// [`Plane::local`] takes places as offsets from the place. `f32` holds offsets to 2⁻²⁴ of themselves,
+/// latitudes and longitudes only to 0.4 m.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, Plane};
@@ -30,8 +31,8 @@ use crate::{Ellipsoid, LatLon, Real};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plane<T> {
     middle: T,
-    /// By powers 1, u, u² of the degrees u from the place's latitude: metres in a degree of latitude and of longitude, and
-    /// sin φ.
+    /// By powers 1, u, u² of the degrees u from the place's latitude: metres in a degree of latitude and of
+    /// longitude, and sin φ.
     north: [T; 3],
     east: [T; 3],
     sin: [T; 3],

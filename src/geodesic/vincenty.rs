@@ -1,8 +1,8 @@
-//! Symbols as in the paper: λ longitude on the auxiliary sphere, L on the ellipsoid, α the azimuth at the equator
-//! (elsewhere α₀), σ the arc, σₘ its middle counted from the equator.
+//! Symbols as in the paper: λ longitude on the auxiliary sphere, L on the ellipsoid, α the azimuth at the
+//! equator (elsewhere α₀), σ the arc, σₘ its middle counted from the equator.
 //!
-//! The paper divides by cos²α for cos 2σₘ: 0/0 along the equator. Wherever cos 2σₘ stands, a factor cos²α is next to
-//! it, so their product is formed instead, without a division.
+//! The paper divides by cos²α for cos 2σₘ: 0/0 along the equator. Wherever cos 2σₘ stands, a factor cos²α is
+//! next to it, so their product is formed instead, without a division.
 
 use core::f64::consts::{FRAC_PI_4, PI};
 
@@ -27,18 +27,19 @@ fn fixed<T: Real>() -> usize {
 
 /// Vincenty's method of 1975, as surveyors' programs have it: to reproduce their figures.
 ///
-/// For any other purpose take [`Karney`](super::Karney): it is faster, ten thousand times as exact, and always answers.
+/// For any other purpose take [`Karney`](super::Karney): it is faster, ten thousand times as exact, and
+/// always answers.
 ///
 /// T. Vincenty, *Direct and inverse solutions of geodesics on the ellipsoid with application of nested
 /// equations*, Survey Review 23 (176), 1975: the nested series in u² and C as printed, and both iterations.
-/// The inverse problem repeats λ ← L + (1 − C) f sin α {…} until λ changes by less than 3·10⁻¹³ (`f32`: 5·10⁻⁸) of σ.
-/// 5 (`f32`: 3) evaluations are usual, 100 are allowed. The direct problem's iteration for σ always converges: after four
-/// evaluations (`f32`: two) only rounding is left.
+/// The inverse problem repeats λ ← L + (1 − C) f sin α {…} until λ changes by less than 3·10⁻¹³ (`f32`:
+/// 5·10⁻⁸) of σ. 5 (`f32`: 3) evaluations are usual, 100 are allowed. The direct problem's iteration for σ
+/// always converges: after four evaluations (`f32`: two) only rounding is left.
 ///
-/// **Near the antipode the inverse problem fails**: where each step is longer than the one before, λ never settles, and
-/// the result is [`GeodesicError::NotConverged`]. On WGS 84 this happens for one pair of places in 45 000, for 7 in 100
-/// of those within 2° of the antipode, and for 73 in 100 within half a degree; for none that is more than 0.8° from it.
-/// If there is a result, it is the shortest line.
+/// **Near the antipode the inverse problem fails**: where each step is longer than the one before, λ never
+/// settles, and the result is [`GeodesicError::NotConverged`]. On WGS 84 this happens for one pair of places
+/// in 45 000, for 7 in 100 of those within 2° of the antipode, and for 73 in 100 within half a degree; for
+/// none that is more than 0.8° from it. If there is a result, it is the shortest line.
 ///
 /// | worst error of the results, f ≤ 1/293 | `f64` | `f32` |
 /// |---|---|---|
@@ -47,8 +48,9 @@ fn fixed<T: Real>() -> usize {
 /// | position of lines to 20 000 km | 0.1 mm | 7 m |
 /// | position of longer lines, and their azimuth × radius of the parallel | 6e-12 of the length | 3.5e-7 |
 ///
-/// These are for an ellipsoid of the Earth's size; errors are proportional to the size. Where a cell has two bounds, both
-/// hold. A distance below 10⁻¹⁴³ m (`f32`: 10⁻¹² m) may be 0. Between opposite places the line starts to the north.
+/// These are for an ellipsoid of the Earth's size; errors are proportional to the size. Where a cell has two
+/// bounds, both hold. A distance below 10⁻¹⁴³ m (`f32`: 10⁻¹² m) may be 0. Between opposite places the line
+/// starts to the north.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, GeodesicError, Vincenty};
@@ -113,8 +115,8 @@ impl<T: Real> Vincenty<T> {
     /// Makes the method for an ellipsoid. Those of the Earth, 1/301 ≤ f ≤ 1/293.4, are accepted.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] unless 0 ≤ f ≤ 1/293. On flatter ellipsoids errors exceed 0.1 mm; along opposite
-    /// meridians of a prolate ellipsoid the iteration finds a line that is not the shortest.
+    /// [`UnsupportedFlattening`] unless 0 ≤ f ≤ 1/293. On flatter ellipsoids errors exceed 0.1 mm; along
+    /// opposite meridians of a prolate ellipsoid the iteration finds a line that is not the shortest.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
         let f = ellipsoid.f();
         // Room for the rounding of 1/293.
@@ -130,8 +132,8 @@ impl<T: Real> Vincenty<T> {
         }
     }
 
-    /// Returns how often [`inverse`](Geodesic::inverse) evaluates the longitude between two places, a measure of the
-    /// cost; `None` if it does not converge.
+    /// Returns how often [`inverse`](Geodesic::inverse) evaluates the longitude between two places, a measure
+    /// of the cost; `None` if it does not converge.
     #[must_use]
     pub fn evaluations(&self, from: LatLon<T>, to: LatLon<T>) -> Option<usize> {
         self.settle(from, to).map(|(_, _, evaluations)| evaluations)
@@ -157,8 +159,8 @@ impl<T: Real> Vincenty<T> {
         (T::ONE + a, self.ep2 * b)
     }
 
-    /// Where the iteration begins, λ = L: what is added to, λ − L, and the great circle. Seen from the antipode,
-    /// π − λ stands for both.
+    /// Where the iteration begins, λ = L: what is added to, λ − L, and the great circle. Seen from the
+    /// antipode, π − λ stands for both.
     #[inline(always)]
     fn begin(pair: &mut Pair<T>, antipodal: bool) -> (T, T, Trial<T>) {
         pair.see(antipodal);
@@ -290,8 +292,8 @@ impl<T: Real> Geodesic<T> for Vincenty<T> {
 
     /// # Errors
     /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN;
-    /// [`GeodesicError::TooFar`] for a distance near the largest number, or one that an ellipsoid of metres divides beyond
-    /// all numbers.
+    /// [`GeodesicError::TooFar`] for a distance near the largest number, or one that an ellipsoid of metres
+    /// divides beyond all numbers.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let (end, found) = self.fast_direct(from, azimuth, distance);
@@ -301,8 +303,8 @@ impl<T: Real> Geodesic<T> for Vincenty<T> {
         self.far_direct(from, azimuth, distance)
     }
 
-    /// Not found if the longitude has to be evaluated more than six (`f32`: four) times, nor between nearly antipodal
-    /// places or poles.
+    /// Not found if the longitude has to be evaluated more than six (`f32`: four) times, nor between nearly
+    /// antipodal places or poles.
     #[inline(always)]
     fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
         let mut pair = Pair::new(self.axes, from, to);

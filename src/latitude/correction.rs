@@ -16,9 +16,9 @@ pub(crate) enum Correction<T> {
     /// The same, the ratio being nearly 1.
     Near(Tangent<T, true>),
     /// A series for the Earth's ellipsoids.
-    Short(Series<T, true>),
+    Short(SineSeries<T, true>),
     /// A series for any ellipsoid.
-    Long(Series<T, false>),
+    Long(SineSeries<T, false>),
 }
 
 /// Evaluates an expression with the kind of correction that there is: a loop chooses once.
@@ -124,12 +124,12 @@ impl<T: Real, const NEAR: bool> Turn<T> for Tangent<T, NEAR> {
 /// Σ cₖ sin 2kx; `SHORT` where the flattening is so small that the first terms are enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct Series<T, const SHORT: bool>([T; series::ORDER.0]);
+pub(crate) struct SineSeries<T, const SHORT: bool>([T; series::ORDER.0]);
 
 /// Terms that reach rounding for |n| ≤ 0.0018, the Earth's ellipsoids: the next one is at most 2e-17 rad (3e-9 in `f32`).
 const EARTH: (usize, usize) = (6, 3);
 
-impl<T: Real, const SHORT: bool> Turn<T> for Series<T, SHORT> {
+impl<T: Real, const SHORT: bool> Turn<T> for SineSeries<T, SHORT> {
     #[inline(always)]
     fn angle(&self, (sin2, cos2): (T, T)) -> T {
         let (f64, f32) = if SHORT { EARTH } else { series::ORDER };
@@ -212,7 +212,7 @@ impl<T: Real> Correction<T> {
         match self {
             Self::None => (T::ZERO, [one, one]),
             Self::Tangent(Tangent(m)) | Self::Near(Tangent(m)) => tangent(*m),
-            Self::Short(Series(coefficients)) | Self::Long(Series(coefficients)) => series(coefficients),
+            Self::Short(SineSeries(coefficients)) | Self::Long(SineSeries(coefficients)) => series(coefficients),
         }
     }
 
@@ -222,8 +222,8 @@ impl<T: Real> Correction<T> {
             Self::None => Correction::None,
             Self::Tangent(Tangent(m)) => Correction::Tangent(Tangent(scalar(m))),
             Self::Near(Tangent(m)) => Correction::Near(Tangent(scalar(m))),
-            Self::Short(Series(coefficients)) => Correction::Short(Series(coefficients.map(scalar))),
-            Self::Long(Series(coefficients)) => Correction::Long(Series(coefficients.map(scalar))),
+            Self::Short(SineSeries(coefficients)) => Correction::Short(SineSeries(coefficients.map(scalar))),
+            Self::Long(SineSeries(coefficients)) => Correction::Long(SineSeries(coefficients.map(scalar))),
         }
     }
 }
@@ -276,9 +276,9 @@ fn series<T: Real, const N: usize, const M: usize>(
         *coefficient = power * sum;
     }
     if n.abs() < T::of(0.0018) {
-        Correction::Short(Series(coefficients))
+        Correction::Short(SineSeries(coefficients))
     } else {
-        Correction::Long(Series(coefficients))
+        Correction::Long(SineSeries(coefficients))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Double-word arithmetic: a number is kept as the sum of two, the second one far smaller than the first
 //! (Dekker, Numer. Math. 18, 1971; Knuth, The Art of Computer Programming 2, 4.2.2).
 
-use super::rest;
+use super::select;
 use crate::Real;
 
 /// The number `high` + `low`; |`low`| is at most a rounding of `high`.
@@ -16,14 +16,14 @@ impl<T: Real> DoubleWord<T> {
     /// a + b, exactly. Never −0, unless both are.
     #[inline(always)]
     pub fn sum(a: T, b: T) -> Self {
-        let (high, low) = rest::sum(a, b);
+        let (high, low) = sum(a, b);
         Self { high, low }
     }
 
     /// a·b, exactly, for numbers far from the largest and the smallest.
     #[inline(always)]
     pub fn product(a: T, b: T) -> Self {
-        let (high, low) = rest::product(a, b);
+        let (high, low) = product(a, b);
         Self { high, low }
     }
 
@@ -64,4 +64,40 @@ impl<T: Real> DoubleWord<T> {
         self.add(value.high);
         self.low += value.low;
     }
+}
+
+/// a + b as a rounded sum and what the rounding lost.
+#[inline(always)]
+pub(crate) fn sum<T: Real>(a: T, b: T) -> (T, T) {
+    let sum = a + b;
+    let part = sum - a;
+    let lost = (a - (sum - part)) + (b - part);
+    (sum, lost)
+}
+
+/// a·b as a rounded product and what the rounding lost, for numbers far from the largest.
+#[inline(always)]
+pub(crate) fn product<T: Real>(a: T, b: T) -> (T, T) {
+    let product = a * b;
+    let ((ah, al), (bh, bl)) = (a.split(), b.split());
+    (product, ((ah * bh - product) + (ah * bl + al * bh)) + al * bl)
+}
+
+/// The same for any numbers; nothing is kept where splitting overflows.
+#[inline(always)]
+pub(crate) fn product_of_any<T: Real>(a: T, b: T) -> (T, T) {
+    let (product, lost) = product(a, b);
+    (product, select(lost.is_finite(), lost, T::ZERO))
+}
+
+/// √(x² + y²) and what its rounding lost.
+#[inline(always)]
+pub(crate) fn hypotenuse<T: Real>(x: T, y: T) -> (T, T) {
+    let (xx, xx_lost) = product(x, x);
+    let (yy, yy_lost) = product(y, y);
+    let (square, square_lost) = sum(xx, yy);
+    let root = square.sqrt();
+    let (back, back_lost) = product(root, root);
+    let rest = (square - back) + (square_lost + xx_lost + yy_lost - back_lost);
+    (root, select(root > T::ZERO, rest / (root + root), T::ZERO))
 }

@@ -3,7 +3,7 @@
 
 use crate::geodesic::angle::{Angle, latitude_difference, longitude_difference, off_pole};
 use crate::geodesic::great_circle::{End, end};
-use crate::geodesic::sphere::{self, Triangle, parametric};
+use crate::geodesic::sphere::{Start, Triangle, parametric};
 use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, max, min, select, sin_cos};
 use crate::{LatLon, Real};
 
@@ -11,10 +11,9 @@ use crate::{LatLon, Real};
 /// ([`Triangle`]): π − ω and π − λ stand for ω and λ.
 #[derive(Clone, Copy)]
 pub struct Ends<T> {
-    /// Of the first end, or of its antipode.
     beta1: Angle<T>,
     beta2: Angle<T>,
-    /// sin(β₂ − β₁).
+    /// sin(β₂ − β₁), or sin(β₂ + β₁).
     rise: T,
     /// −1 if seen from the antipode, else 1.
     pub side: T,
@@ -61,13 +60,11 @@ impl<T: Real> Ends<T> {
         // than its rounding. Not so between a pole and itself.
         let opposite = far & (beta1.sin * beta2.sin <= T::ZERO);
         let least = select(opposite, T::EPSILON * T::EPSILON, T::ZERO);
-        let side = select(far, -T::ONE, T::ONE);
-        beta1.sin *= side;
         Self {
             beta1,
             beta2,
             rise: max(rise.abs(), least).copysign(rise),
-            side,
+            side: select(far, -T::ONE, T::ONE),
             lambda12: lon12 * T::of(core::f64::consts::PI / 180.0),
             east,
         }
@@ -160,19 +157,19 @@ pub fn waves<T: Real>(c: &[T], terms: usize, (sin, cos): (T, T), cos_mu: T) -> T
 }
 
 /// A great circle from a place along an azimuth.
-pub struct Start<T> {
-    start: sphere::Start<T>,
+pub struct Departure<T> {
+    start: Start<T>,
     /// Sine and cosine of 2σ₁.
     twice: (T, T),
 }
 
-impl<T: Real> Start<T> {
+impl<T: Real> Departure<T> {
     /// From sine and cosine of the azimuth; `axes` is b/a.
     #[inline(always)]
     pub fn new(axes: T, from: LatLon<T>, azimuth: (T, T)) -> Self {
         let (mut beta1, _) = parametric(from.lat(), axes);
         beta1.cos = off_pole(beta1.cos);
-        let start = sphere::Start::new(beta1, azimuth.into());
+        let start = Start::new(beta1, azimuth.into());
         let (sin1, along) = (beta1.sin, start.along);
         // σ₁ is the angle of (cos α₀ cos σ₁, cos α₀ sin σ₁), of length cos α₀.
         let divisor = select(start.cos2_alpha0 == T::ZERO, T::ONE, start.cos2_alpha0);
@@ -203,7 +200,7 @@ impl<T: Real> Start<T> {
     /// The end of the arc with this sine and cosine.
     #[inline(always)]
     pub fn end(&self, axes: T, arc: (T, T)) -> End<T> {
-        let sphere::Start { beta1, alpha1, .. } = self.start;
+        let Start { beta1, alpha1, .. } = self.start;
         end((beta1.sin, beta1.cos), (alpha1.sin, alpha1.cos), arc, axes)
     }
 }

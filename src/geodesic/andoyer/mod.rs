@@ -7,14 +7,15 @@ use crate::{Ellipsoid, LatLon, Real};
 mod arc;
 pub(super) mod second;
 
-use arc::{Ends, Start};
+use arc::{Departure, Ends};
 
-/// Andoyer and Lambert's formula: the great circle between the parametric latitudes, corrected to the first order in the
-/// flattening. In closed form, for any distance.
+/// Andoyer and Lambert's formula: the great circle between the parametric latitudes, corrected to the first
+/// order in the flattening. In closed form, for any distance.
 ///
-/// s = a(σ − f/2 cos²α₀ (σ + sin σ cos 2σₘ)), with the azimuth α₀ at the equator, the arc σ and its middle σₘ counted from
-/// the equator; W. D. Lambert, *The distance between two widely separated points on the surface of the Earth*, 1942,
-/// writes it with half angles. The azimuths are corrected for the longitude f σ sin α₀ that the sphere lacks.
+/// s = a(σ − f/2 cos²α₀ (σ + sin σ cos 2σₘ)), with the azimuth α₀ at the equator, the arc σ and its middle σₘ
+/// counted from the equator; W. D. Lambert, *The distance between two widely separated points on the surface
+/// of the Earth*, 1942, writes it with half angles. The azimuths are corrected for the longitude f σ sin α₀
+/// that the sphere lacks.
 ///
 /// Worst error on the Earth at any latitude, in metres:
 ///
@@ -28,8 +29,8 @@ use arc::{Ends, Start};
 /// | to the antipode | 3.5e4 | 2.2e5 | 40 |
 /// | any number of times around | – | – | 1.5e-6 s |
 ///
-/// On other ellipsoids the error grows with f²; on a sphere it is that of [`GreatCircle`](super::GreatCircle). `f32` adds
-/// 7e-7 of the distance.
+/// On other ellipsoids the error grows with f²; on a sphere it is that of
+/// [`GreatCircle`](super::GreatCircle). `f32` adds 7e-7 of the distance.
 ///
 /// ```
 /// use terrella::geodesic::{Andoyer, Geodesic};
@@ -85,11 +86,13 @@ impl<T: Real> Geodesic<T> for Andoyer<T> {
 
     /// # Errors
     /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN;
-    /// [`GeodesicError::TooFar`] on an ellipsoid of a metre or less, for a distance that it divides beyond all numbers.
+    /// [`GeodesicError::TooFar`] on an ellipsoid of a metre or less, for a distance that it divides beyond
+    /// all numbers.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let start = Start::new(self.axes, from, heading(azimuth, distance)?);
-        // With the λ reached s = a(σ(1 − f) + f/2 cos²α (σ − sin σ cos 2σₘ)); solved for σ to the first order.
+        let start = Departure::new(self.axes, from, heading(azimuth, distance)?);
+        // With the λ reached s = a(σ(1 − f) + f/2 cos²α (σ − sin σ cos 2σₘ)); solved for σ to the first
+        // order.
         let half = T::of(0.5) * self.f * start.cos2_alpha0();
         let radius = self.a * (self.axes + half);
         let whole = distance / radius;

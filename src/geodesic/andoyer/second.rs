@@ -1,15 +1,15 @@
-use super::arc::{Ends, Start, waves};
+use super::arc::{Departure, Ends, waves};
 use crate::geodesic::angle::{heading, northward_between_poles, wrapped};
 use crate::geodesic::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::{max, min, sin_cos};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// The great circle between the parametric latitudes, corrected to the second order in the flattening: the order of
-/// Thomas' formula, by another way. In closed form, for any distance.
+/// The great circle between the parametric latitudes, corrected to the second order in the flattening: the
+/// order of Thomas' formula, by another way. In closed form, for any distance.
 ///
-/// One step of Newton's method on the equation for the longitude that [`Vincenty`](crate::geodesic::Vincenty) solves by
-/// iteration, and the series to ε². It has an answer everywhere.
+/// One step of Newton's method on the equation for the longitude that [`Vincenty`](crate::geodesic::Vincenty)
+/// solves by iteration, and the series to ε². It has an answer everywhere.
 ///
 /// Worst error on the Earth at any latitude, in metres:
 ///
@@ -24,8 +24,8 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | to the antipode | 3.5e4 | 2.2e5 | 0.03 |
 /// | any number of times around | – | – | 1.5e-9 s |
 ///
-/// On other ellipsoids the error grows with f³; on a sphere it is that of [`GreatCircle`](crate::geodesic::GreatCircle).
-/// `f32` adds 7e-7 of the distance.
+/// On other ellipsoids the error grows with f³; on a sphere it is that of
+/// [`GreatCircle`](crate::geodesic::GreatCircle). `f32` adds 7e-7 of the distance.
 ///
 /// ```
 /// use terrella::geodesic::{AndoyerSecond, Geodesic};
@@ -45,7 +45,8 @@ pub struct AndoyerSecond<T> {
     ep2: T,
 }
 
-/// A₁, 2C₁ₖ, A₃ and 2C₃ₖ (Karney 17, 18, 24 and 25), to the second order in the distance, the first in the longitude.
+/// A₁, 2C₁ₖ, A₃ and 2C₃ₖ (Karney 17, 18, 24 and 25), to the second order in the distance, the first in the
+/// longitude.
 struct SecondOrder<T> {
     a1: T,
     c1: [T; 2],
@@ -110,10 +111,11 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
 
     /// # Errors
     /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN;
-    /// [`GeodesicError::TooFar`] on an ellipsoid of a metre or less, for a distance that it divides beyond all numbers.
+    /// [`GeodesicError::TooFar`] on an ellipsoid of a metre or less, for a distance that it divides beyond
+    /// all numbers.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let start = Start::new(self.axes, from, heading(azimuth, distance)?);
+        let start = Departure::new(self.axes, from, heading(azimuth, distance)?);
         let series = self.series(start.cos2_alpha0());
         let radius = self.a * (self.axes * series.a1);
         let whole = distance / radius;

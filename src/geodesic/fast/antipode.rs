@@ -1,7 +1,7 @@
 //! Where Newton's method begins between nearly antipodal places.
 //!
-//! There the general solver takes the root of Karney's astroid (55), exact for f → 0. Here a hundredth of ω₁₂ is
-//! enough, and two of Halley's steps are cheaper than the root of a quartic.
+//! There the general solver takes the root of Karney's astroid (55), exact for f → 0. Here a hundredth of ω₁₂
+//! is enough, and two of Halley's steps are cheaper than the root of a quartic.
 
 use core::f64::consts::PI;
 

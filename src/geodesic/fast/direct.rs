@@ -11,8 +11,8 @@ use crate::math::{either, octant, select, sin_cos, sin_cos_degrees};
 use crate::{LatLon, Real};
 
 impl<T: Real> Solver<T> {
-    /// The direct problem, and whether the answer is right: not for azimuths beyond ±360°, nor for distances over
-    /// 300 (`f32`: 60) polar radii, some fifty (ten) circuits.
+    /// The direct problem, and whether the answer is right: not for azimuths beyond ±360°, nor for distances
+    /// over 300 (`f32`: 60) polar radii, some fifty (ten) circuits.
     #[inline(always)]
     pub fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
         let few = (azimuth.abs() <= T::of(360.0)) & (distance.abs() <= T::pick(300.0, 60.0) * self.b);
@@ -86,8 +86,8 @@ pub fn arrival<T: Real>(
     let shift = if many { shift.remainder(T::of(360.0)) } else { shift };
     let lon = angle_degrees(east, outward) - shift;
     let lat = angle_degrees(up, axes * (east * east + outward * outward).sqrt());
-    // Next to a pole rounding turns the meridian; the azimuth counts from the one that the longitude names, at
-    // the pole itself from the first one.
+    // Next to a pole rounding turns the meridian; the azimuth counts from the one that the longitude names,
+    // at the pole itself from the first one.
     let (eastward, inward) = (alpha1.sin * cos, beta1.cos * sin + beta1.sin * cos * alpha1.cos);
     let outward = either((east == T::ZERO) & (outward == T::ZERO), T::ONE) + outward;
     let polar = up * up > T::of(0.75);

@@ -1,8 +1,8 @@
-//! The inverse problem: Newton's method finds ω₁₂ = λ₁₂ + f sin α₀ I₃ (Karney 8). Its last step needs no evaluation
-//! after it: distance and azimuths follow from their derivatives by ω₁₂.
+//! The inverse problem: Newton's method finds ω₁₂ = λ₁₂ + f sin α₀ I₃ (Karney 8). Its last step needs no
+//! evaluation after it: distance and azimuths follow from their derivatives by ω₁₂.
 //!
-//! Most places take a fixed number of steps. Nearly antipodal ones, seen from the antipode so that no digit is
-//! lost, take steps until they settle; so do the few that the fixed number was not enough for.
+//! Most places take a fixed number of steps. Nearly antipodal ones, seen from the antipode so that no digit
+//! is lost, take steps until they settle; so do the few that the fixed number was not enough for.
 
 use core::f64::consts::FRAC_PI_4;
 
@@ -31,12 +31,13 @@ fn fixed<T: Real>() -> usize {
     T::terms(3, 2)
 }
 
-/// Evaluations of the longitude at most. Where the shortest line turns from east to north some twenty are needed.
+/// Evaluations of the longitude at most. Where the shortest line turns from east to north some twenty are
+/// needed.
 const STEPS: usize = 40;
 
 impl<T: Real> Solver<T> {
-    /// The inverse problem; none where the general solver has to answer: between places so near that squares
-    /// underflow, from pole to pole, and near the antipode of a pole.
+    /// The inverse problem; none between places so near that squares underflow, and between poles: no others
+    /// are known.
     #[inline(always)]
     pub fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Option<Inverse<T>> {
         let pair = Pair::new(self.axes, from, to);
@@ -53,8 +54,8 @@ impl<T: Real> Solver<T> {
         self.solve(pair, pair.nearly_antipodal())
     }
 
-    /// The inverse problem without a branch, and whether the answer is that of [`inverse`](Self::inverse): not
-    /// between nearly antipodal places, either.
+    /// The inverse problem without a branch, and whether the answer is that of [`inverse`](Self::inverse):
+    /// not between nearly antipodal places, either.
     #[inline(always)]
     pub fn near_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
         let mut pair = Pair::new(self.axes, from, to);
@@ -86,16 +87,16 @@ impl<T: Real> Solver<T> {
     #[inline(always)]
     fn newton(&self, pair: &Pair<T>, most: usize) -> Outcome<T> {
         let (antipodal, side) = (pair.antipodal, pair.side);
-        // ω₁₂ is λ₁₂ as it is rounded and so much more; near the antipode, where every digit of it counts, all
-        // of it.
+        // ω₁₂ is λ₁₂ as it is rounded and so much more; near the antipode, where every digit of it counts,
+        // all of it.
         let (rest, mut growth) = if antipodal {
             let lambda12 = pair.supplement();
             (lambda12, self.omega_of_flat_triangle(pair, lambda12))
         } else {
             (pair.rest, T::ZERO)
         };
-        // One at least near the antipode; elsewhere as many as nearly always are enough, so that a batch does the
-        // same.
+        // One at least near the antipode; elsewhere as many as nearly always are enough, so that a batch does
+        // the same.
         let least = if antipodal { 1 } else { fixed::<T>() };
         let mut evaluations = 1;
         let mut trial = if antipodal | cfg!(small) {
@@ -126,8 +127,8 @@ impl<T: Real> Solver<T> {
             let excess = ((rest - growth) + rate * bend) + rate * a3 * sigma12;
             let slope = self.slope(&trial, a3 * sigma12 + bend, sigma12);
             let step = excess * (T::ONE / slope);
-            // The square of such a step is rounding, and what is in excess by no more than this is the rounding
-            // of its own sum.
+            // The square of such a step is rounding, and what is in excess by no more than this is the
+            // rounding of its own sum.
             let small_step = trial.sin_sigma12 * T::pick(1e-8, 5e-5);
             let rounding = T::of(8.0) * T::EPSILON * (rest.abs() + T::of(3.0) * self.f.abs());
             let found = excess.abs() <= small_step * slope + rounding;
@@ -180,8 +181,8 @@ impl<T: Real> Solver<T> {
             growth = pair.stepped(growth, step);
             trial = pair.grown(growth);
             evaluations += 1;
-            // The next error, as a part of sin σ₁₂, is less than the square of the last step; or the series are
-            // too short to tell.
+            // The next error, as a part of sin σ₁₂, is less than the square of the last step; or the series
+            // are too short to tell.
             if pair.antipodal && step.abs() <= trial.sin_sigma12 * T::of(5e-5) + self.f.abs() * T::of(1e-9) {
                 break;
             }

@@ -1,9 +1,10 @@
-//! The fast solver: both problems without a branch that depends on the places, on ellipsoids with |f| < 1/149.
-//! A loop over it vectorises. It says where it has no answer; the [`general`](super::general) solver has.
+//! The fast solver: both problems without a branch that depends on the places, on ellipsoids with |f| <
+//! 1/149. A loop over it vectorises. It says where it has no answer; the [`general`](super::general) solver
+//! has.
 //!
-//! The inverse problem looks for ω₁₂, the difference of longitudes on the auxiliary sphere, by Newton's method; the
-//! general solver looks for the azimuth α₁. Near the antipode a line follows from α₁ and not from λ₁₂, but from
-//! ω₁₂ it always does.
+//! The inverse problem looks for ω₁₂, the difference of longitudes on the auxiliary sphere, by Newton's
+//! method; the general solver looks for the azimuth α₁. Near the antipode a line follows from α₁ and not from
+//! λ₁₂, but from ω₁₂ it always does.
 
 use super::series::{Integrals, short::Short};
 use crate::{Ellipsoid, Real};

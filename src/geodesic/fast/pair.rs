@@ -9,11 +9,11 @@ use crate::math::{
 };
 use crate::{LatLon, Real};
 
-/// The places of an inverse problem, the one of greater latitude first, so that both directions of a line have
-/// the same bits.
+/// The places of an inverse problem, the one of greater latitude first, so that both directions of a line
+/// have the same bits.
 ///
-/// Seen from point 1, or near the antipode from the antipode of point 1 ([`Triangle`]): there π − ω₁₂, π − λ₁₂ and
-/// −β₁ stand for ω₁₂, λ₁₂ and β₁.
+/// Seen from point 1, or near the antipode from the antipode of point 1 ([`Triangle`]): there π − ω₁₂ and π −
+/// λ₁₂ stand for ω₁₂ and λ₁₂.
 #[derive(Clone, Copy)]
 pub struct Pair<T> {
     phi1: T,
@@ -34,7 +34,7 @@ pub struct Pair<T> {
     /// Whether the places are seen from the antipode of point 1; then `side` is −1, else 1.
     pub(super) antipodal: bool,
     pub side: T,
-    /// sin(β₂ − β₁).
+    /// sin(β₂ − β₁), or sin(β₂ + β₁).
     pub(super) rise: T,
     /// The smallest ω₁₂ near the antipode.
     pub(super) least_omega: T,
@@ -87,8 +87,8 @@ impl<T: Real> Pair<T> {
         }
     }
 
-    /// Whether the places are so nearly antipodal, 170° apart or more, that ω₁₂ turns the line faster than λ₁₂
-    /// tells it. To be asked before [`see`](Self::see).
+    /// Whether the places are so nearly antipodal, 170° apart or more, that ω₁₂ turns the line faster than
+    /// λ₁₂ tells it.
     #[inline(always)]
     pub fn nearly_antipodal(&self) -> bool {
         let sin_half = self.half_lambda12.sin;
@@ -104,8 +104,8 @@ impl<T: Real> Pair<T> {
         (T::of(180.0) - self.lambda12) * T::of(PI / 180.0) - self.rest
     }
 
-    /// An azimuth of the problem as it was put, in degrees, from one of the great circle and what that turns by in
-    /// radians.
+    /// An azimuth of the problem as it was put, in degrees, from one of the great circle and what that turns
+    /// by in radians.
     #[cfg_attr(not(small), inline(always))]
     #[cfg_attr(small, inline(never))]
     pub fn azimuth(&self, Angle { sin, cos }: Angle<T>, turn: T) -> T {
@@ -123,12 +123,11 @@ impl<T: Real> Pair<T> {
     pub fn see(&mut self, antipodal: bool) {
         self.antipodal = antipodal;
         self.side = if antipodal { -T::ONE } else { T::ONE };
-        self.beta1.sin *= self.side;
         let apart = self.phi2 - self.side * self.phi1;
         self.rise = choose(
             apart.abs() <= T::of(45.0),
             sin_cos_eighth(apart * T::of(PI / 180.0)).0 * self.scale,
-            self.beta2.sin * self.beta1.cos - self.beta2.cos * self.beta1.sin,
+            self.beta2.sin * self.beta1.cos - self.side * (self.beta2.cos * self.beta1.sin),
         );
     }
 

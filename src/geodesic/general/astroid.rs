@@ -1,8 +1,8 @@
 use crate::Real;
 use crate::math::{atan2, cbrt, hypot, sin_cos};
 
-/// The positive root κ of κ⁴ + 2κ³ − (x² + y² − 1)κ² − 2y²κ − y² = 0 (Karney 55), by Ferrari's method: the normal to
-/// an astroid through the point (x, y).
+/// The positive root κ of κ⁴ + 2κ³ − (x² + y² − 1)κ² − 2y²κ − y² = 0 (Karney 55), by Ferrari's method: the
+/// normal to an astroid through the point (x, y).
 pub(super) fn astroid<T: Real>(x: T, y: T) -> T {
     let (p, q) = (x * x, y * y);
     let r = (p + q - T::ONE) / T::of(6.0);

@@ -12,8 +12,8 @@ use crate::geodesic::sphere::{Triangle, arc_from_node, node};
 use crate::math::{DoubleWord, atan2, hypot, max, select};
 use crate::{LatLon, Real};
 
-/// The inverse problem turned so that β₁ ≤ 0, |β₂| ≤ −β₁ and 0 ≤ λ₁₂ ≤ π (Karney 44), with what it takes to turn the
-/// answer back.
+/// The inverse problem turned so that β₁ ≤ 0, |β₂| ≤ −β₁ and 0 ≤ λ₁₂ ≤ π (Karney 44), with what it takes to
+/// turn the answer back.
 #[derive(Clone, Copy)]
 pub struct Canonical<T> {
     pub beta1: Angle<T>,
@@ -60,8 +60,8 @@ pub(super) fn tiny<T: Real>() -> T {
     T::pick(1.491_668_146_240_041_3e-154, 1.084_202_2e-19)
 }
 
-/// A latitude or azimuth in degrees. Its smallest values, of no account on any planet, are rounded to multiples of
-/// 2⁻⁵⁷ (`f32`: 2⁻³⁸) so that no product of theirs underflows.
+/// A latitude or azimuth in degrees. Its smallest values, of no account on any planet, are rounded to
+/// multiples of 2⁻⁵⁷ (`f32`: 2⁻³⁸) so that no product of theirs underflows.
 pub(super) fn rounded<T: Real>(degrees: T) -> T {
     let step = T::pick(1.0 / 16.0, 1.0 / 16384.0);
     let size = degrees.abs();
@@ -84,15 +84,15 @@ impl<T: Real> Canonical<T> {
         let lat_sign = -T::ONE.copysign(lat1);
         let (lat1, lat2) = (lat1 * lat_sign, lat2 * lat_sign);
         let lambda = (lon12 + rest) * T::of(PI / 180.0);
-        // Next to the equator the azimuth of a long line turns within its rounding, and Newton's method is lost:
-        // these places are taken for places on it, half a nanometre away on the Earth (f32: half a millimetre).
-        // The side that the line passes on stays: −0.
+        // Next to the equator the azimuth of a long line turns within its rounding, and Newton's method is
+        // lost: these places are taken for places on it, half a nanometre away on the Earth (f32: half a
+        // millimetre). The side that the line passes on stays: −0.
         let beside = (lambda > T::ONE) & (lat1 >= T::pick(-5e-15, -5e-9));
         let (lat1, lat2) = (select(beside, -T::ZERO, lat1), select(beside, T::ZERO, lat2));
         let (beta1, radius1) = solver.parametric(lat1);
         let (mut beta2, radius2) = solver.parametric(lat2);
         let (rise, _) = DoubleWord::sum(lat2, -lat1).sin_cos_degrees();
-        // |β₁| = |β₂| exactly where rounding would hide it, or turn it round: the smaller of sine and cosine tells
+        // Rounding may hide that |β₁| = |β₂|, or turn their order round: the smaller of sine and cosine tells
         // more.
         let level = if beta1.cos < -beta1.sin {
             beta2.cos <= beta1.cos
@@ -145,8 +145,8 @@ impl<T: Real> Canonical<T> {
         }
     }
 
-    /// The segment of a line whose inverse problem, as it was put, is solved already: `sigma12` is σ₁₂, `growth`
-    /// ω₁₂ − λ₁₂ in radians.
+    /// The segment of a line whose inverse problem, as it was put, is solved already: `sigma12` is σ₁₂,
+    /// `growth` ω₁₂ − λ₁₂ in radians.
     pub fn segment(
         &self,
         solver: &Solver<T>,
@@ -169,7 +169,8 @@ impl<T: Real> Canonical<T> {
         let omega12 = self.lambda12.plus(Angle::radians(growth));
         let distance = line.distance;
         let reduced = if sigma12 < solver.short {
-            // m₁₂ = s₁₂(1 − σ₁₂²/6 …): between neighbours the differences of its formula would be all rounding.
+            // m₁₂ = s₁₂(1 − σ₁₂²/6 …): between neighbours the differences of its formula would be all
+            // rounding.
             distance - distance * (sigma12 * sigma12 / T::of(6.0))
         } else {
             lengths.reduced * solver.ellipsoid.b()

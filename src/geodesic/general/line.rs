@@ -11,8 +11,8 @@ use crate::{LatLon, Real};
 
 /// A geodesic from one place at one azimuth: for many points at different distances on the same line.
 ///
-/// [`Karney::line`](crate::geodesic::Karney::line) makes one. What depends on the start alone is computed once:
-/// each further point costs less than a direct problem, and comes with reduced length and scales.
+/// [`Karney::line`](crate::geodesic::Karney::line) makes one. What depends on the start alone is computed
+/// once: each further point costs less than a direct problem, and comes with reduced length and scales.
 ///
 /// ```
 /// use terrella::geodesic::Karney;
@@ -57,13 +57,14 @@ pub struct LinePoint<T> {
     pub position: LatLon<T>,
     /// The azimuth of travel there, in degrees clockwise from north, in [−180, 180].
     pub azimuth: T,
-    /// The arc σ₁₂ on the auxiliary sphere from the start of the line to the point, in degrees; negative behind the
-    /// start.
+    /// The arc σ₁₂ on the auxiliary sphere from the start of the line to the point, in degrees; negative
+    /// behind the start.
     pub arc: T,
-    /// The reduced length m₁₂ in metres: a turn of one radian at the start moves the point by this much sideways.
+    /// The reduced length m₁₂ in metres: a turn of one radian at the start moves the point by this much
+    /// sideways.
     pub reduced_length: T,
-    /// The geodesic scale M₁₂, without a unit: two lines that start parallel and one metre apart are M₁₂ metres apart
-    /// at the point.
+    /// The geodesic scale M₁₂, without a unit: two lines that start parallel and one metre apart are M₁₂
+    /// metres apart at the point.
     pub scale12: T,
     /// The geodesic scale M₂₁: the same for two lines that are parallel at the point, at the start.
     pub scale21: T,
@@ -128,8 +129,9 @@ impl<T: Real> Line<T> {
     /// Returns the point at a distance in metres from the start; a negative distance lies behind it.
     ///
     /// # Errors
-    /// [`GeodesicError::Distance`] if the distance is not finite. [`GeodesicError::TooFar`] if it is longer than 10⁵
-    /// (`f32`: 100) polar radii times A₁, the mean of √(1 + k² sin²σ) on the line: 6·10⁸ km (6·10⁵ km) on the Earth.
+    /// [`GeodesicError::Distance`] if the distance is not finite. [`GeodesicError::TooFar`] if it is longer
+    /// than 10⁵ (`f32`: 100) polar radii times A₁, the mean of √(1 + k² sin²σ) on the line: 6·10⁸ km (6·10⁵
+    /// km) on the Earth.
     pub fn at(&self, distance: T) -> Result<LinePoint<T>, GeodesicError<T>> {
         self.place(distance).map(|place| place.point)
     }

@@ -1,6 +1,6 @@
-//! The general solver: Karney's algorithms, for any two places on any ellipsoid with −1/9 ≤ f ≤ 1/10. The inverse
-//! problem looks for the azimuth α₁ inside a bracket, so that it always ends; it knows the reduced length and the
-//! scales, too.
+//! The general solver: Karney's algorithms, for any two places on any ellipsoid with −1/9 ≤ f ≤ 1/10. The
+//! inverse problem looks for the azimuth α₁ inside a bracket, so that it always ends; it knows the reduced
+//! length and the scales, too.
 //!
 //! C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013); the handling of special places as in
 //! GeographicLib, unless said.

@@ -10,7 +10,8 @@ use crate::geodesic::series::Integrals;
 use crate::geodesic::sphere::{arc_from_node, node};
 use crate::math::{atan2, max};
 
-/// One evaluation of the hybrid problem: the geodesic from point 1 at α₁ to where it meets the latitude of point 2.
+/// One evaluation of the hybrid problem: the geodesic from point 1 at α₁ to where it meets the latitude of
+/// point 2.
 struct Hybrid<T> {
     /// λ₁₂(α₁) − λ₁₂, and its derivative by α₁ if it was asked for.
     excess: T,
@@ -36,8 +37,8 @@ impl<T: Real> Canonical<T> {
             sin: tiny::<T>(),
             cos: -T::ONE,
         };
-        // As in GeographicLib: 20 steps, of which 2 to 6 are usual, then as many bisections as a number has digits,
-        // and 10 (`f32`: 10).
+        // As in GeographicLib: 20 steps, of which 2 to 6 are usual, then as many bisections as a number has
+        // digits, and 10 (`f32`: 10).
         let newton_steps = 20;
         let all_steps = newton_steps + T::terms(63, 34);
         let mut nearly = false;

@@ -37,8 +37,8 @@ impl<T: Real> Canonical<T> {
             let scale = solver.axes * dn;
             let more = ellipsoid.e2() * (cosines / (sines + cosines)) / (scale * (T::ONE + scale));
             omega = omega.plus(Angle::radians(self.lambda * more));
-            // Rounded past π it would pass the pole on the other side, and half of the ellipsoid be under it with
-            // the other sign.
+            // Rounded past π it would pass the pole on the other side, and half of the ellipsoid be under it
+            // with the other sign.
             omega.sin = select(omega.sin < T::ZERO, tiny(), omega.sin);
         }
         // β₁ + β₂ in (−π, 0].
@@ -52,11 +52,7 @@ impl<T: Real> Canonical<T> {
                 cos: -omega.cos,
             };
             let versine = omega.sin * omega.sin / (T::ONE + seen.cos);
-            let antipode = Angle {
-                sin: -beta1.sin,
-                cos: beta1.cos,
-            };
-            let triangle = Triangle::new(-T::ONE, [antipode, beta2], sum_sin, seen, versine);
+            let triangle = Triangle::new(-T::ONE, [beta1, beta2], sum_sin, seen, versine);
             // Not the triangle's: next to a pole places may be as far apart in longitude, and yet neighbours.
             let alpha2 = Angle {
                 sin: beta1.cos * omega.sin,
@@ -93,8 +89,8 @@ impl<T: Real> Canonical<T> {
         })
     }
 
-    /// The α₁ to begin with between nearly antipodal places: the astroid problem in scaled coordinates (Karney 53 to
-    /// 58). `sum_sin` is sin(β₁ + β₂).
+    /// The α₁ to begin with between nearly antipodal places: the astroid problem in scaled coordinates
+    /// (Karney 53 to 58). `sum_sin` is sin(β₁ + β₂).
     fn antipodal(&self, solver: &Solver<T>, sum_sin: T) -> Angle<T> {
         let (beta1, beta2) = (self.beta1, self.beta2);
         let f = solver.ellipsoid.f();
@@ -123,10 +119,11 @@ impl<T: Real> Canonical<T> {
             let scale = beta_scale / beta1.cos;
             (x, lambda / scale, scale)
         };
-        // 200, as in GeographicLib: between (52.784459512564, 0) and (−52.784459512563990912, 179.634407464943777557)
-        // y is 186 roundings below 0, and a bound of 100 failed.
+        // 200, as in GeographicLib: between (52.784459512564, 0) and (−52.784459512563990912,
+        // 179.634407464943777557) y is 186 roundings below 0, and a bound of 100 failed.
         let near_cut = T::of(-200.0) * T::EPSILON;
-        // So far beyond the cusp x = −1, κ ≈ −1 − x is small, and y/κ, the tangent wanted, a quotient of roundings.
+        // So far beyond the cusp x = −1, κ ≈ −1 − x is small, and y/κ, the tangent wanted, a quotient of
+        // roundings.
         let beyond_cusp = T::of(1000.0) * T::EPSILON.sqrt();
         if y > near_cut && x > -T::ONE - beyond_cusp {
             // On the cut, where the shortest lines are two.

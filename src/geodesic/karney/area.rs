@@ -19,9 +19,9 @@ use crate::{Ellipsoid, LatLon, Real};
 /// | any line | 0.1 m² | 60 km² |
 /// | lines under 1000 km | 0.02 m² and 5e-16 of the area | 0.2 km² and 5e-7 of the area |
 ///
-/// The area under a line past a pole is large, however short the line. Between nearly antipodal places, whose reduced
-/// length is under a tenth of the distance, the azimuths and with them the area are ill-conditioned: errors up to 10⁴ m²
-/// were seen.
+/// The area under a line past a pole is large, however short the line. Between nearly antipodal places, whose
+/// reduced length is under a tenth of the distance, the azimuths and with them the area are ill-conditioned:
+/// errors up to 10⁴ m² were seen.
 ///
 /// C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013), section 6.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,13 +52,14 @@ impl<T: Real> Area<T> {
         }
     }
 
-    /// Returns the area in m² between the geodesic from one place to another and the equator. It is positive if the
-    /// quadrilateral from – (0, longitude of from) – (0, longitude of to) – to runs counter-clockwise: for instance if the
-    /// geodesic runs eastward, north of the equator.
+    /// Returns the area in m² between the geodesic from one place to another and the equator. It is positive
+    /// if the quadrilateral from – (0, longitude of from) – (0, longitude of to) – to runs counter-clockwise:
+    /// for instance if the geodesic runs eastward, north of the equator.
     ///
-    /// Between opposite meridians the geodesic goes over the pole that [`Karney::solve`] takes: eastward to a longitude
-    /// that is 180° more, westward to one that is 180° less. A pole has a longitude: between two places at the same pole
-    /// the area is that of the lune between their meridians, from the pole to the equator.
+    /// Between opposite meridians the geodesic goes over the pole that [`Karney::solve`] takes: eastward to a
+    /// longitude that is 180° more, westward to one that is 180° less. A pole has a longitude: between two
+    /// places at the same pole the area is that of the lune between their meridians, from the pole to the
+    /// equator.
     #[must_use]
     pub fn under(&self, from: LatLon<T>, to: LatLon<T>) -> T {
         let (_, area) = self.edge(from, to);
@@ -131,9 +132,10 @@ impl<T: Real> Area<T> {
         self.with_sphere(excess, oblateness)
     }
 
-    /// Returns the area in m² between the equator and the geodesic that starts at a place, at an azimuth in degrees, and
-    /// ends after a distance in metres; less whole ellipsoids. The sign is that of [`under`](Self::under). Over a pole
-    /// the line goes eastward for the azimuths 0 and 180, westward for −0 and −180.
+    /// Returns the area in m² between the equator and the geodesic that starts at a place, at an azimuth in
+    /// degrees, and ends after a distance in metres; less whole ellipsoids. The sign is that of
+    /// [`under`](Self::under). Over a pole the line goes eastward for the azimuths 0 and 180, westward for −0
+    /// and −180.
     ///
     /// # Errors
     /// [`GeodesicError::Azimuth`] if the azimuth is infinite or NaN, and those of

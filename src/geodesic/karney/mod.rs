@@ -21,26 +21,27 @@ pub use polygon::PolygonArea;
 /// | azimuths × the shorter of distance and reduced length | 5 nm | 4 m |
 /// | position of the direct problem, for a line once around | 10 nm | 4 m |
 ///
-/// For f = 1/10 and −1/150 all are within 12 nm. In `f32`, if the bracketed solver is needed, within 30 m between nearly
-/// antipodal places within 10⁻⁴ degrees of the equator.
+/// For f = 1/10 and −1/150 all are within 12 nm. In `f32`, if the bracketed solver is needed, within 30 m
+/// between nearly antipodal places within 10⁻⁴ degrees of the equator.
 ///
-/// [`inverse`](Geodesic::inverse) never fails and always converges. On ellipsoids with |f| < 1/149, the Earth's among
-/// them, both problems are solved by a fixed sequence of operations, without branches that depend on the places:
-/// Newton's method for the longitude on the auxiliary sphere, in three evaluations (`f32`: two), with a few more
-/// between some places 150° or more apart. It falls back to the bracketed solver, which is slower, when
+/// [`inverse`](Geodesic::inverse) never fails and always converges. On ellipsoids with |f| < 1/149, the
+/// Earth's among them, both problems are solved by a fixed sequence of operations, without branches that
+/// depend on the places: Newton's method for the longitude on the auxiliary sphere, in three evaluations
+/// (`f32`: two), with a few more between some places 150° or more apart. It falls back to the bracketed
+/// solver, which is slower, when
 ///
 /// * the ellipsoid is flatter, or more elongated, than that;
-/// * the places coincide, or one is a pole and the other a pole or next to the opposite pole;
+/// * the places coincide, or both are poles;
 /// * an azimuth is beyond ±360°, or a distance beyond 300 (`f32`: 60) polar radii.
 ///
-/// The bracketed solver takes series in the third flattening, to order 6 on the Earth's ellipsoids and up to 12 on
-/// flatter ones (`f32`: 6 at most), and at most 83 steps (`f32`: 54). 2 to 6 are usual, more next to the equator where
-/// the shortest line leaves it.
+/// The bracketed solver takes series in the third flattening, to order 6 on the Earth's ellipsoids and up to
+/// 12 on flatter ones (`f32`: 6 at most), and at most 83 steps (`f32`: 54). 2 to 6 are usual, more next to
+/// the equator where the shortest line leaves it.
 ///
 /// [`Karney::solve`] and [`Area::under`] are about the line of [`inverse`](Geodesic::inverse).
-/// [`direct`](Geodesic::direct) and [`Line::at`] agree to rounding, not to the bit. Between latitudes that are
-/// exactly opposite, the azimuths are equal, or add up to 180° within a rounding; if two shortest lines are mirror
-/// images in the equator, the result is the one that starts to the north.
+/// [`direct`](Geodesic::direct) and [`Line::at`] agree to rounding, not to the bit. Between latitudes that
+/// are exactly opposite, the azimuths are equal, or add up to 180° within a rounding; if two shortest lines
+/// are mirror images in the equator, the result is the one that starts to the north.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, Karney};
@@ -67,16 +68,16 @@ pub struct Solution<T> {
     pub inverse: Inverse<T>,
     /// The arc σ₁₂ on the auxiliary sphere, in degrees, in [0, 180].
     pub arc: T,
-    /// The reduced length m₁₂ in metres: a turn of one radian at the first place moves the end of the line by this much
-    /// sideways.
+    /// The reduced length m₁₂ in metres: a turn of one radian at the first place moves the end of the line by
+    /// this much sideways.
     pub reduced_length: T,
-    /// The geodesic scale M₁₂, without a unit: two lines that start parallel and one metre apart are M₁₂ metres apart
-    /// at the second place.
+    /// The geodesic scale M₁₂, without a unit: two lines that start parallel and one metre apart are M₁₂
+    /// metres apart at the second place.
     pub scale12: T,
     /// The geodesic scale M₂₁: the same for two lines that are parallel at the second place, at the first.
     pub scale21: T,
-    /// How often the longitude was evaluated, a measure of the cost: mostly 3 (`f32`: 2). In the bracketed solver 0 if
-    /// there is a closed form: along a meridian, along the equator, and between neighbours.
+    /// How often the longitude was evaluated, a measure of the cost: mostly 3 (`f32`: 2). In the bracketed
+    /// solver 0 if there is a closed form: along a meridian, along the equator, and between neighbours.
     pub evaluations: usize,
 }
 
@@ -110,8 +111,8 @@ impl<T: Real> Karney<T> {
         &self.general.integrals
     }
 
-    /// The line of [`Geodesic::inverse`], the canonical problem, and all of its solution. Between poles the latter is
-    /// for the meridian of the second place's longitude, which the polygon's edge follows.
+    /// The line of [`Geodesic::inverse`], the canonical problem, and all of its solution. Between poles the
+    /// latter is for the meridian of the second place's longitude, which the polygon's edge follows.
     fn whole(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, Canonical<T>, Segment<T>) {
         if self.fast.exact() {
             if let Some(found) = self.fast.outcome(from, to) {

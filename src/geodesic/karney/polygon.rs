@@ -3,11 +3,12 @@ use crate::geodesic::angle::longitude_difference;
 use crate::math::DoubleWord;
 use crate::{LatLon, Real};
 
-/// Area and perimeter of a polygon whose edges are geodesics, from [`Area::polygon`]: add its corners in order, then ask.
+/// Area and perimeter of a polygon whose edges are geodesics, from [`Area::polygon`]: add its corners in
+/// order, then ask.
 ///
-/// Corners may coincide, edges may cross, and the ring may run round a pole any number of times. A pole has a longitude:
-/// between two corners at the same pole the edge turns there. Between opposite meridians the edge goes over the pole that
-/// [`Karney::solve`](super::Karney::solve) takes.
+/// Corners may coincide, edges may cross, and the ring may run round a pole any number of times. A pole has a
+/// longitude: between two corners at the same pole the edge turns there. Between opposite meridians the edge
+/// goes over the pole that [`Karney::solve`](super::Karney::solve) takes.
 ///
 /// ```
 /// use terrella::geodesic::Area;
@@ -57,10 +58,10 @@ impl<'a, T: Real> PolygonArea<'a, T> {
 
     /// Returns the area in m² to the left of the edges; 0 without corners.
     ///
-    /// It is positive if the corners run counter-clockwise round less than half of the ellipsoid, negative if they run
-    /// clockwise, as round a hole, and positive for exactly a half: as many whole ellipsoids are subtracted as bring it
-    /// into (−½, ½] of one. If a ring runs round several times, each time counts. The errors of the edges, those of
-    /// [`Area`], add up.
+    /// It is positive if the corners run counter-clockwise round less than half of the ellipsoid, negative if
+    /// they run clockwise, as round a hole, and positive for exactly a half: as many whole ellipsoids are
+    /// subtracted as bring it into (−½, ½] of one. If a ring runs round several times, each time counts. The
+    /// errors of the edges, those of [`Area`], add up.
     #[must_use]
     pub fn area(&self) -> T {
         let mut closed = self.closed();

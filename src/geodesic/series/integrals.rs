@@ -3,7 +3,8 @@ use crate::geodesic::angle::Angle;
 use crate::math::{Polynomial, geodesic as table};
 use crate::{Ellipsoid, Real};
 
-/// I₁ = A₁(σ + Σ C₁ₗ sin 2lσ), I₂ and I₃ alike, for one ellipsoid: to order 6 on the Earth's, 12 at most (`f32`: 6).
+/// I₁ = A₁(σ + Σ C₁ₗ sin 2lσ), I₂ and I₃ alike, for one ellipsoid: to order 6 on the Earth's, 12 at most
+/// (`f32`: 6).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Integrals<T> {

@@ -1,6 +1,6 @@
-//! The integrals along a geodesic, as series in ε = (√(1 + k²) − 1)/(√(1 + k²) + 1), k = e′ cos α₀ (Karney 9 and
-//! 16). The distance is s = b I₁(σ) (7), the longitude λ = ω − f sin α₀ I₃(σ) (8), the reduced length follows from
-//! I₁ − I₂ (38 to 40), and the area from I₄ (58 to 63).
+//! The integrals along a geodesic, as series in ε = (√(1 + k²) − 1)/(√(1 + k²) + 1), k = e′ cos α₀ (Karney 9
+//! and 16). The distance is s = b I₁(σ) (7), the longitude λ = ω − f sin α₀ I₃(σ) (8), the reduced length
+//! follows from I₁ − I₂ (38 to 40), and the area from I₄ (58 to 63).
 //!
 //! | file | holds |
 //! |---|---|
@@ -8,7 +8,8 @@
 //! | [`area`] | I₄ |
 //! | [`short`] | I₁ and I₃ of a fixed order, without loops, for \|f\| < 1/149: the fast solver's |
 //!
-//! C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013); the tables are made by `math/geodesic.py`.
+//! C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013); the tables are made by
+//! `math/geodesic.py`.
 
 use super::angle::Angle;
 use crate::Real;
@@ -22,7 +23,7 @@ pub(super) use area::AreaSeries;
 pub(super) use integrals::Integrals;
 
 /// Coefficients of a sine series, lowest first: as many as the longest order.
-pub(super) type Row<T> = [T; table::ORDER.0];
+pub type Row<T> = [T; table::ORDER.0];
 
 /// Entries of a triangle of rows of length ORDER − 1, …, 1.
 const ROWS: usize = table::ORDER.0 * (table::ORDER.0 - 1) / 2;

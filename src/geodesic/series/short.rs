@@ -1,8 +1,8 @@
-//! The series for ellipsoids with |f| < 1/149, whose order is fixed: no loop and no branch, so that a loop over
-//! places vectorises.
+//! The series for ellipsoids with |f| < 1/149, whose order is fixed: no loop and no branch, so that a loop
+//! over places vectorises.
 //!
-//! Sums over sines between two points run as Σ 2cₗ cos 2lσₘ sin lσ₁₂, with σₘ the middle of the arc counted from
-//! the node: nothing cancels between neighbours.
+//! Sums over sines between two points run as Σ 2cₗ cos 2lσₘ sin lσ₁₂, with σₘ the middle of the arc counted
+//! from the node: nothing cancels between neighbours.
 
 use super::Integrals;
 use crate::math::{Polynomial, halves};
