@@ -55,8 +55,8 @@ impl Face {
         self as u8
     }
 
-    /// Returns the name: `front`, `right`, `back`, `left`, `top` or `bottom`. [`Display`](fmt::Display) writes it, and
-    /// [`str::parse`] reads it.
+    /// Returns the name: `front`, `right`, `back`, `left`, `top` or `bottom`. [`Display`](fmt::Display)
+    /// writes it, and [`str::parse`] reads it.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -99,8 +99,8 @@ impl Face {
         }
     }
 
-    /// Returns the face through which a ray from the centre of the cube leaves: that of the largest component. Of
-    /// equal components y goes before z, and z before x.
+    /// Returns the face through which a ray from the centre of the cube leaves: that of the largest
+    /// component. Of equal components y goes before z, and z before x.
     ///
     /// ```
     /// use terrella::{Direction, cube::Face};
@@ -132,7 +132,8 @@ impl Face {
         self as u8 >= 4
     }
 
-    /// Rotates a vector from Earth axes to this face's frame (right, up, outward). Components are exchanged and negated.
+    /// Rotates a vector from Earth axes to this face's frame (right, up, outward). Components are exchanged
+    /// and negated.
     ///
     /// ```
     /// use terrella::cube::Face;
@@ -144,14 +145,16 @@ impl Face {
         self.pick(&TO_LOCAL, [x, y, z])
     }
 
-    /// Rotates a vector from this face's frame (right, up, outward) to Earth axes: the inverse of [`Face::to_local`].
+    /// Rotates a vector from this face's frame (right, up, outward) to Earth axes: the inverse of
+    /// [`Face::to_local`].
     #[must_use]
     #[inline(always)]
     pub fn to_earth<T: Real>(self, [right, up, outward]: [T; 3]) -> [T; 3] {
         self.pick(&TO_EARTH, [right, up, outward])
     }
 
-    /// The components that a table names, or their negatives: for random faces a look-up is quicker than a branch.
+    /// The components that a table names, or their negatives: for random faces a look-up is quicker than a
+    /// branch.
     #[inline(always)]
     #[allow(clippy::indexing_slicing)] // as many entries as there are numbers of that many bits
     fn pick<T: Real>(self, table: &[[u8; 3]; 8], [a, b, c]: [T; 3]) -> [T; 3] {
@@ -210,8 +213,9 @@ impl Face {
         }
     }
 
-    /// Returns the three faces that meet at a corner of this face, each with that corner's name in its own frame. This face is
-    /// the first; the others follow counter-clockwise about the corner as seen from outside.
+    /// Returns the three faces that meet at a corner of this face, each with that corner's name in its own
+    /// frame. This face is the first; the others follow counter-clockwise about the corner as seen from
+    /// outside.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};
@@ -222,7 +226,8 @@ impl Face {
     pub const fn corner(self, corner: Corner) -> [(Self, Corner); 3] {
         let (first, second) = corner.edges();
         let (a, b) = (self.neighbour(first), self.neighbour(second));
-        // The corner ends edge `first` on its counter-clockwise side and begins `second`; across an edge the sense turns round.
+        // The corner ends edge `first` on its counter-clockwise side and begins `second`; across an edge the
+        // sense turns round.
         [
             (self, corner),
             (a.face, Corner::beginning(a.edge)),
@@ -231,7 +236,8 @@ impl Face {
     }
 }
 
-/// Which component is right, up and outward for each face: 0, 1, 2 for X, Y, Z, and 4 more for its negative. The last two rows are none's.
+/// Which component is right, up and outward for each face: 0, 1, 2 for X, Y, Z, and 4 more for its negative.
+/// The last two rows are none's.
 const TO_LOCAL: [[u8; 3]; 8] = [
     [1, 2, 0],
     [4, 2, 1],
@@ -320,8 +326,9 @@ impl Edge {
 
 /// The face across an edge of a face.
 ///
-/// For linear coordinates (u, v) ∈ [−1, 1]² on both faces: a point (u, v) beyond the edge has, on the neighbour, the
-/// coordinates (u, v) − 2e turned counter-clockwise by `turns` quarter circles, where e is the edge's outward unit vector.
+/// For linear coordinates (u, v) ∈ [−1, 1]² on both faces: a point (u, v) beyond the edge has, on the
+/// neighbour, the coordinates (u, v) − 2e turned counter-clockwise by `turns` quarter circles, where e is the
+/// edge's outward unit vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Neighbour {

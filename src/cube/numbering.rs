@@ -9,15 +9,16 @@ use crate::cube::InvalidFacePoint;
 pub enum Numbering {
     /// Google's S2: faces 0 to 5 outward along X, Y, Z, −X, −Y, −Z.
     S2,
-    /// OpenGL's cube maps: +X, −X, +Y, −Y, +Z, −Z, with s to the right and t downward. OpenGL's axes are the usual ones of a
-    /// renderer: its x is the Earth's Y, its y the north pole, its z the Earth's X.
+    /// OpenGL's cube maps: +X, −X, +Y, −Y, +Z, −Z, with s to the right and t downward. OpenGL's axes are the
+    /// usual ones of a renderer: its x is the Earth's Y, its y the north pole, its z the Earth's X.
     OpenGl,
     /// FITS WCS (Calabretta & Greisen 2002): 0 north, 1 to 4 around the equator from longitude 0, 5 south.
     Fits,
 }
 
 impl Numbering {
-    /// Face by face, front first: the number, and the quarter turns from this crate's axes to the other's (counter-clockwise).
+    /// Face by face, front first: the number, and the quarter turns from this crate's axes to the other's
+    /// (counter-clockwise).
     const fn entry(self, face: Face) -> (u8, u8) {
         match (self, face) {
             (Self::S2, Face::Front) => (0, 0),
@@ -89,7 +90,8 @@ impl Numbering {
         Err(InvalidFace(number))
     }
 
-    /// Returns a point in this numbering: the number of the face, and the coordinates in [−1, 1] along its axes.
+    /// Returns a point in this numbering: the number of the face, and the coordinates in [−1, 1] along its
+    /// axes.
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint, Numbering};
@@ -104,7 +106,8 @@ impl Numbering {
         (number, x, if matches!(self, Self::OpenGl) { -y } else { y })
     }
 
-    /// Returns the point of a face's number and of coordinates in [−1, 1] along its axes, both of this numbering.
+    /// Returns the point of a face's number and of coordinates in [−1, 1] along its axes, both of this
+    /// numbering.
     ///
     /// # Errors
     /// [`InvalidNumbered`] for a number above 5 or a coordinate outside [−1, 1].

@@ -6,7 +6,8 @@ use crate::position::{angle_degrees, write_between};
 
 /// East, north and up from an origin, in metres; or the components of any vector along these axes.
 ///
-/// Up is the outward normal of the ellipsoid at the origin. [`LocalFrame`](crate::LocalFrame) is the origin with its axes.
+/// Up is the outward normal of the ellipsoid at the origin. [`LocalFrame`](crate::LocalFrame) is the origin
+/// with its axes.
 ///
 /// ```
 /// use terrella::{Aer, Enu};
@@ -26,7 +27,8 @@ pub struct Enu<T = f64> {
     pub up: T,
 }
 
-/// North, east and down from an origin, in metres, as in aviation; or the components of any vector along these axes.
+/// North, east and down from an origin, in metres, as in aviation; or the components of any vector along
+/// these axes.
 ///
 /// ```
 /// use terrella::{Enu, Ned};
@@ -47,7 +49,8 @@ pub struct Ned<T = f64> {
 
 /// Azimuth, elevation and range from an origin, as an antenna is pointed.
 ///
-/// Worst error of the conversion from [`Enu`]: 1 ulp of the azimuth, 2 ulp of the elevation, 1.5 ulp of the range.
+/// Worst error of the conversion from [`Enu`]: 1 ulp of the azimuth, 2 ulp of the elevation, 1.5 ulp of the
+/// range.
 ///
 /// ```
 /// use terrella::{Aer, Enu};
@@ -61,7 +64,8 @@ pub struct Ned<T = f64> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aer<T = f64> {
-    /// Azimuth clockwise from north in degrees, in [−180, 180]; 0 straight up, straight down and at the origin.
+    /// Azimuth clockwise from north in degrees, in [−180, 180]; 0 straight up, straight down and at the
+    /// origin.
     pub azimuth: T,
     /// Angle above the plane of east and north in degrees, in [−90, 90]; 0 at the origin.
     pub elevation: T,
@@ -86,7 +90,8 @@ impl<T: fmt::Display> fmt::Display for Ned<T> {
 }
 
 impl<T: fmt::Display> fmt::Display for Aer<T> {
-    /// Writes the three numbers, each with the formatter's options: `azimuth 90°, elevation 53.1°, range 50 m`.
+    /// Writes the three numbers, each with the formatter's options: `azimuth 90°, elevation 53.1°, range 50
+    /// m`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
             azimuth,

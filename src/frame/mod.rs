@@ -1,4 +1,5 @@
-//! [`LocalFrame`]: the axes east, north and up about an origin, and positions as [`Enu`], [`Ned`] and [`Aer`] in them.
+//! [`LocalFrame`]: the axes east, north and up about an origin, and positions as [`Enu`], [`Ned`] and [`Aer`]
+//! in them.
 
 mod axes;
 mod offset;
@@ -13,10 +14,11 @@ use crate::{Direction, Ecef, Ellipsoid, Geodetic, InvalidEcef, Real};
 
 /// A local tangent frame: the axes east, north and up about an origin.
 ///
-/// Up is the outward normal of the ellipsoid. At a pole, north and east belong to the meridian of the origin's longitude.
+/// Up is the outward normal of the ellipsoid. At a pole, north and east belong to the meridian of the
+/// origin's longitude.
 ///
-/// Positions come as [`Geodetic`] or as [`Ecef`], and go back to either. The way through [`Geodetic`] loses no digits to the
-/// size of the Earth: prefer it where positions are at hand as such.
+/// Positions come as [`Geodetic`] or as [`Ecef`], and go back to either. The way through [`Geodetic`] loses
+/// no digits to the size of the Earth: prefer it where positions are at hand as such.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Geodetic, LatLon, LocalFrame};
@@ -100,7 +102,8 @@ impl<T: Real> LocalFrame<T> {
         Direction::within(self.cos * self.cos_lon, self.cos * self.sin_lon, self.sin)
     }
 
-    /// Rotates a vector, such as a velocity or a line of sight, from Earth axes to this frame's. The origin plays no part.
+    /// Rotates a vector, such as a velocity or a line of sight, from Earth axes to this frame's. The origin
+    /// plays no part.
     ///
     /// Worst error 5·10⁻¹⁶ (`f64`), 2.5·10⁻⁷ (`f32`) of the vector's length.
     ///
@@ -125,8 +128,8 @@ impl<T: Real> LocalFrame<T> {
         }
     }
 
-    /// Rotates a vector from this frame's axes to Earth axes: the inverse of [`vector_to_enu`](Self::vector_to_enu). For
-    /// [`Ned`] and [`Aer`], use `into()`.
+    /// Rotates a vector from this frame's axes to Earth axes: the inverse of
+    /// [`vector_to_enu`](Self::vector_to_enu). For [`Ned`] and [`Aer`], use `into()`.
     #[doc(alias("enu2ecefv", "enu2uvw"))]
     #[must_use]
     #[inline]
@@ -141,8 +144,8 @@ impl<T: Real> LocalFrame<T> {
 
     /// Returns a point of Earth axes relative to the origin, as east, north, up.
     ///
-    /// Worst error on the Earth: that of the two positions, 7 nm (`f64`), 2 m (`f32`). For a position that is at hand as
-    /// [`Geodetic`], [`geodetic_to_enu`](Self::geodetic_to_enu) has less.
+    /// Worst error on the Earth: that of the two positions, 7 nm (`f64`), 2 m (`f32`). For a position that is
+    /// at hand as [`Geodetic`], [`geodetic_to_enu`](Self::geodetic_to_enu) has less.
     #[doc(alias = "ecef2enu")]
     #[must_use]
     #[inline]
@@ -201,8 +204,8 @@ impl<T: Real> LocalFrame<T> {
         self.from_enu(aer.into())
     }
 
-    /// Returns a geodetic position relative to the origin, as east, north, up. It is computed from differences of angles and
-    /// heights, without the cancellation of Earth axes.
+    /// Returns a geodetic position relative to the origin, as east, north, up. It is computed from
+    /// differences of angles and heights, without the cancellation of Earth axes.
     ///
     /// Worst error 6·10⁻¹⁶ (`f64`), 10⁻⁷ (`f32`) of the distance, at any distance: within 10 km, 5 pm and 0.8
     /// mm. An `f32` latitude has steps of up to 0.4 m on the Earth, which this does not count.

@@ -9,8 +9,8 @@ use crate::{Geodetic, LatLon, Real};
 
 /// The difference of a geodetic position from an origin: latitude and longitude in degrees, height in metres.
 ///
-/// Single precision rounds a latitude by up to 0.42 m and a longitude by up to 0.85 m on the Earth. It rounds a
-/// difference from an origin by 2⁻²⁴ of the difference only: by 0.6 mm at 10 km.
+/// Single precision rounds a latitude by up to 0.42 m and a longitude by up to 0.85 m on the Earth. It rounds
+/// a difference from an origin by 2⁻²⁴ of the difference only: by 0.6 mm at 10 km.
 /// [`Plane::local`](crate::geodesic::Plane::local) and [`Scene::local`](crate::scene::Scene::local) take such
 /// differences.
 ///
@@ -49,20 +49,22 @@ pub(super) struct LongOffset<T> {
 }
 
 impl<T: Real> LocalFrame<T> {
-    /// Returns the geodetic position that is so far east, north and up of the origin. It is computed without Earth axes,
-    /// whose rounding is that of the Earth's radius.
+    /// Returns the geodetic position that is so far east, north and up of the origin. It is computed without
+    /// Earth axes, whose rounding is that of the Earth's radius.
     ///
-    /// Worst error 4·10⁻¹⁶ (`f64`), 7·10⁻⁸ (`f32`) of the distance: within 10 km on the Earth, 2 pm and 0.25 mm. To that
-    /// comes the rounding of the result to the scalar, up to 0.8 nm (`f64`), 0.42 m (`f32`) of latitude and twice as much
-    /// of longitude; [`enu_to_offset`](Self::enu_to_offset) returns the difference from the origin, without that rounding.
+    /// Worst error 4·10⁻¹⁶ (`f64`), 7·10⁻⁸ (`f32`) of the distance: within 10 km on the Earth, 2 pm and 0.25
+    /// mm. To that comes the rounding of the result to the scalar, up to 0.8 nm (`f64`), 0.42 m (`f32`) of
+    /// latitude and twice as much of longitude; [`enu_to_offset`](Self::enu_to_offset) returns the difference
+    /// from the origin, without that rounding.
     ///
-    /// This holds at any distance: over a pole, across ±180° and on the other side of the planet. It holds for an origin
-    /// and a point farther than a/2 from where their normals meet the axis (on the Earth, above −3000 km) and nearer
-    /// than 1000 a, on ellipsoids with |e²| ≤ ¼. Outside of this, the position is computed through Earth axes and has the
-    /// errors of [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic).
+    /// This holds at any distance: over a pole, across ±180° and on the other side of the planet. It holds
+    /// for an origin and a point farther than a/2 from where their normals meet the axis (on the Earth, above
+    /// −3000 km) and nearer than 1000 a, on ellipsoids with |e²| ≤ ¼. Outside of this, the position is
+    /// computed through Earth axes and has the errors of
+    /// [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic).
     ///
-    /// The meridian plane of the point is found from that of the origin, then the angle between the two normals by
-    /// Newton's method. The last step adds what rounding lost.
+    /// The meridian plane of the point is found from that of the origin, then the angle between the two
+    /// normals by Newton's method. The last step adds what rounding lost.
     ///
     /// ```
     /// use terrella::{Ellipsoid, Enu, Geodetic, LatLon, LocalFrame};
@@ -122,10 +124,10 @@ impl<T: Real> LocalFrame<T> {
     /// Returns the position that is so far east, north and up of the origin, as a difference from the origin:
     /// [`enu_to_geodetic`](Self::enu_to_geodetic) without the rounding of a latitude and a longitude.
     ///
-    /// Worst error 6·10⁻¹⁶ (`f64`), 1.7·10⁻⁷ (`f32`) of the distance, at any distance. It is the rounding of the three
-    /// numbers; a difference of longitude near 180°, next to a pole, has the largest. Vectors shorter than 10⁻¹⁵⁰ m (`f64`),
-    /// 10⁻¹⁶ m (`f32`) have an error of that size. Deep points, far points and other ellipsoids are as in
-    /// [`enu_to_geodetic`](Self::enu_to_geodetic).
+    /// Worst error 6·10⁻¹⁶ (`f64`), 1.7·10⁻⁷ (`f32`) of the distance, at any distance. It is the rounding of
+    /// the three numbers; a difference of longitude near 180°, next to a pole, has the largest. Vectors
+    /// shorter than 10⁻¹⁵⁰ m (`f64`), 10⁻¹⁶ m (`f32`) have an error of that size. Deep points, far points and
+    /// other ellipsoids are as in [`enu_to_geodetic`](Self::enu_to_geodetic).
     ///
     /// # Errors
     /// [`InvalidEnu`] if a component is infinite or NaN, or the point is beyond the scalar's largest numbers.
@@ -145,8 +147,8 @@ impl<T: Real> LocalFrame<T> {
         })
     }
 
-    /// Returns a position relative to the origin as east, north, up, from its difference in latitude, longitude and
-    /// height. For [`Ned`] and [`Aer`], use `into()`.
+    /// Returns a position relative to the origin as east, north, up, from its difference in latitude,
+    /// longitude and height. For [`Ned`] and [`Aer`], use `into()`.
     ///
     /// Worst error 6·10⁻¹⁶ (`f64`), 10⁻⁷ (`f32`) of the distance, at any distance: within 10 km, 5 pm and
     /// 0.8 mm.

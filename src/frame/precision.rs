@@ -12,7 +12,8 @@ macro_rules! precision {
         }
 
         impl $name {
-            /// Returns the three numbers rounded to the nearest `f32`; beyond the largest `f32` it is infinite.
+            /// Returns the three numbers rounded to the nearest `f32`; beyond the largest `f32` it is
+            /// infinite.
             #[must_use]
             pub const fn to_f32(self) -> $name<f32> {
                 $name { $($field: self.$field as f32),* }

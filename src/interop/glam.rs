@@ -1,4 +1,5 @@
-//! [`Direction`], [`Ecef`], [`Enu`] and [`Ned`] to and from glam's vectors; the axes of a [`LocalFrame`] as a matrix.
+//! [`Direction`], [`Ecef`], [`Enu`] and [`Ned`] to and from glam's vectors; the axes of a [`LocalFrame`] as a
+//! matrix.
 
 use crate::{Direction, Ecef, Enu, InvalidDirection, InvalidEcef, LocalFrame, Ned};
 
@@ -69,8 +70,8 @@ vectors!(f32 Vec3, f32 Vec3A, f64 DVec3);
 macro_rules! matrices {
     ($($scalar:ident $matrix:ident),*) => {$(
         impl From<&LocalFrame<$scalar>> for glam::$matrix {
-            /// The columns are east, north and up in Earth axes: the matrix rotates from the frame's axes to those of the
-            /// Earth.
+            /// The columns are east, north and up in Earth axes: the matrix rotates from the frame's axes to
+            /// those of the Earth.
             fn from(frame: &LocalFrame<$scalar>) -> Self {
                 Self::from_cols(frame.east().into(), frame.north().into(), frame.up().into())
             }

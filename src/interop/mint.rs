@@ -1,5 +1,5 @@
-//! [`Direction`], [`Ecef`], [`Enu`] and [`Ned`] to and from mint's vectors and points; the axes of a [`LocalFrame`] as a
-//! matrix.
+//! [`Direction`], [`Ecef`], [`Enu`] and [`Ned`] to and from mint's vectors and points; the axes of a
+//! [`LocalFrame`] as a matrix.
 
 use mint::{ColumnMatrix3, Point3, Vector3};
 
@@ -68,7 +68,8 @@ macro_rules! positions {
 positions!(Vector3, Point3);
 
 impl<T: Real> From<&LocalFrame<T>> for ColumnMatrix3<T> {
-    /// The columns are east, north and up in Earth axes: the matrix rotates from the frame's axes to those of the Earth.
+    /// The columns are east, north and up in Earth axes: the matrix rotates from the frame's axes to those of
+    /// the Earth.
     fn from(frame: &LocalFrame<T>) -> Self {
         Self {
             x: frame.east().into(),

@@ -1,5 +1,5 @@
-//! [`Direction`], [`Ecef`], [`Enu`] and [`Ned`] to and from nalgebra's vectors and points; the axes of a [`LocalFrame`] as
-//! a matrix and as a rotation.
+//! [`Direction`], [`Ecef`], [`Enu`] and [`Ned`] to and from nalgebra's vectors and points; the axes of a
+//! [`LocalFrame`] as a matrix and as a rotation.
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitVector3, Vector3};
 
@@ -78,7 +78,8 @@ macro_rules! positions {
 positions!(Vector3, Point3);
 
 impl<T: Real> From<&LocalFrame<T>> for Matrix3<T> {
-    /// The columns are east, north and up in Earth axes: the matrix rotates from the frame's axes to those of the Earth.
+    /// The columns are east, north and up in Earth axes: the matrix rotates from the frame's axes to those of
+    /// the Earth.
     fn from(frame: &LocalFrame<T>) -> Self {
         [frame.east(), frame.north(), frame.up()]
             .map(Direction::to_array)

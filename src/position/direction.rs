@@ -25,8 +25,8 @@ pub struct Direction<T = f64> {
 impl<T: Real> Direction<T> {
     /// Creates the direction of a vector of any length: even of subnormal numbers, or of the largest.
     ///
-    /// A vector that is a unit vector but for rounding is kept as it is, so that the components of a direction create the
-    /// same direction again.
+    /// A vector that is a unit vector but for rounding is kept as it is, so that the components of a
+    /// direction create the same direction again.
     ///
     /// # Errors
     /// [`InvalidDirection`] if the vector is zero, or a component is infinite or NaN.
@@ -115,7 +115,8 @@ impl<T: Real> Direction<T> {
         [self.x, self.y, self.z]
     }
 
-    /// Returns the latitude and longitude of this point of the unit sphere; the longitude of a pole is 0 or ±180.
+    /// Returns the latitude and longitude of this point of the unit sphere; the longitude of a pole is 0 or
+    /// ±180.
     ///
     /// Worst error 2.3 ulp of the latitude and 0.85 ulp of the longitude, next to the poles, too.
     ///

@@ -43,11 +43,12 @@ pub struct Dms {
 }
 
 impl<T: Real> LatLon<T> {
-    /// Returns the degrees, minutes and seconds of latitude and longitude, with `digits` decimals of a second.
+    /// Returns the degrees, minutes and seconds of latitude and longitude, with `digits` decimals of a
+    /// second.
     ///
-    /// Each angle is rounded to the nearest such number, ties to even, and carries: 59.999999° with no decimals is
-    /// 60°00′00″, not 59°59′60″. More than [`Dms::MAX_DIGITS`] digits are taken for so many. Neighbouring longitudes
-    /// near 180° differ by 10⁻¹⁰″ in `f64`, by 0.06″ in `f32`.
+    /// Each angle is rounded to the nearest such number, ties to even, and carries: 59.999999° with no
+    /// decimals is 60°00′00″, not 59°59′60″. More than [`Dms::MAX_DIGITS`] digits are taken for so many.
+    /// Neighbouring longitudes near 180° differ by 10⁻¹⁰″ in `f64`, by 0.06″ in `f32`.
     ///
     /// ```
     /// use terrella::LatLon;
@@ -74,7 +75,8 @@ impl Dms {
         let digits = digits.min(Self::MAX_DIGITS);
         let magnitude = min(angle.abs(), T::of(180.0));
         let whole = magnitude.floor().unsigned_abs();
-        // What is left of a degree, 120 binary digits of it. Those below are of numbers that are rounded to 0.
+        // What is left of a degree, 120 binary digits of it. Those below are of numbers that are rounded to
+        // 0.
         let mut rest = magnitude - T::whole(whole.into());
         let mut binary = 0_u128;
         for _ in 0..5 {

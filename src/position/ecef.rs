@@ -3,11 +3,12 @@ use core::fmt;
 use super::write_between;
 use crate::Real;
 
-/// A point in Earth-centred, Earth-fixed axes, in metres: x toward (0° N, 0° E), y toward (0° N, 90° E), z toward the
-/// north pole.
+/// A point in Earth-centred, Earth-fixed axes, in metres: x toward (0° N, 0° E), y toward (0° N, 90° E), z
+/// toward the north pole.
 ///
-/// [`Ellipsoid::to_ecef`](crate::Ellipsoid::to_ecef) and [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic)
-/// convert between this and [`Geodetic`](crate::Geodetic).
+/// [`Ellipsoid::to_ecef`](crate::Ellipsoid::to_ecef) and
+/// [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic) convert between this and
+/// [`Geodetic`](crate::Geodetic).
 ///
 /// ```
 /// use terrella::Ecef;

@@ -8,9 +8,9 @@ use crate::math::{product_of_any, select, sin_cos_degrees};
 ///
 /// The function that takes or returns it says which latitude it is: geodetic, geocentric or another.
 ///
-/// It is written as decimal degrees with as many decimals as asked for, or with as many as it takes to parse the same bits
-/// again; in degrees, minutes and seconds by [`to_dms`](Self::to_dms). Text of either form parses: see
-/// [`from_str`](Self::from_str).
+/// It is written as decimal degrees with as many decimals as asked for, or with as many as it takes to parse
+/// the same bits again; in degrees, minutes and seconds by [`to_dms`](Self::to_dms). Text of either form
+/// parses: see [`from_str`](Self::from_str).
 ///
 /// ```
 /// use terrella::LatLon;
@@ -72,12 +72,12 @@ impl LatLon {
 impl<T: Real> LatLon<T> {
     /// Creates the place of a latitude and a longitude in degrees.
     ///
-    /// A longitude in [−180, 180] is kept as it is, −180 and 180 both. Any other is brought into this range by turns of
-    /// 360°, without rounding.
+    /// A longitude in [−180, 180] is kept as it is, −180 and 180 both. Any other is brought into this range
+    /// by turns of 360°, without rounding.
     ///
     /// # Errors
-    /// [`InvalidLatLon::Latitude`] if the latitude is outside [−90, 90] or NaN; [`InvalidLatLon::Longitude`] if the
-    /// longitude is infinite or NaN.
+    /// [`InvalidLatLon::Latitude`] if the latitude is outside [−90, 90] or NaN; [`InvalidLatLon::Longitude`]
+    /// if the longitude is infinite or NaN.
     #[inline]
     pub fn new(lat: T, lon: T) -> Result<Self, InvalidLatLon<T>> {
         let between_poles = lat.abs() <= T::of(90.0); // false for NaN
@@ -104,8 +104,9 @@ impl<T: Real> LatLon<T> {
 
     /// Creates the place of a latitude and a longitude in radians.
     ///
-    /// Worst error 0.51 ulp of the degrees. So ±π/2 and ±π, rounded to the scalar, are ±90° and ±180°, although some of
-    /// these roundings are beyond. A longitude beyond ±π is converted to degrees, and brought into range after that.
+    /// Worst error 0.51 ulp of the degrees. So ±π/2 and ±π, rounded to the scalar, are ±90° and ±180°,
+    /// although some of these roundings are beyond. A longitude beyond ±π is converted to degrees, and
+    /// brought into range after that.
     ///
     /// ```
     /// use core::f32::consts::{FRAC_PI_2, PI};
@@ -173,8 +174,8 @@ impl<T: Real> LatLon<T> {
 
     /// Returns the unit vector toward this latitude and longitude on the sphere.
     ///
-    /// Worst error 2.2·10⁻¹⁶ rad (`f64`), 1.2·10⁻⁷ rad (`f32`). It is exact on the axes, and next to them no component
-    /// loses digits.
+    /// Worst error 2.2·10⁻¹⁶ rad (`f64`), 1.2·10⁻⁷ rad (`f32`). It is exact on the axes, and next to them no
+    /// component loses digits.
     ///
     /// ```
     /// # use terrella::LatLon;
@@ -189,7 +190,8 @@ impl<T: Real> LatLon<T> {
         Direction::from_angles(latitude, longitude)
     }
 
-    /// Sine and cosine of latitude and longitude; not inlined, so that both are computed side by side whatever a caller does between.
+    /// Sine and cosine of latitude and longitude; not inlined, so that both are computed side by side
+    /// whatever a caller does between.
     #[inline(never)]
     pub(crate) fn sin_cos(self) -> [(T, T); 2] {
         [sin_cos_degrees(self.lat), sin_cos_degrees(self.lon)]

@@ -1,5 +1,5 @@
-//! Positions: [`LatLon`] in degrees, [`Direction`] as a unit vector, [`Geodetic`] with a height, [`Ecef`] in metres; their
-//! text, and the way from one scalar to the other.
+//! Positions: [`LatLon`] in degrees, [`Direction`] as a unit vector, [`Geodetic`] with a height, [`Ecef`] in
+//! metres; their text, and the way from one scalar to the other.
 
 mod direction;
 mod dms;

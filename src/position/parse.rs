@@ -24,12 +24,12 @@ impl<T: Real + FromStr> FromStr for LatLon<T> {
     /// | `59:54:36, 10:45` | colons |
     /// | `59 54 36 N, 10 45 00 E`, `59 54 36 10 45 00` | spaces |
     ///
-    /// The last number of an angle may have a decimal fraction, the others are whole. Minutes and seconds are below 60;
-    /// `60.0`, which some programs write for 59.99, is accepted. A minus sign stands for S or W, not beside such a letter.
-    /// Exponents (`1e-7`), decimal commas, `nan` and `inf` are refused.
+    /// The last number of an angle may have a decimal fraction, the others are whole. Minutes and seconds are
+    /// below 60; `60.0`, which some programs write for 59.99, is accepted. A minus sign stands for S or W,
+    /// not beside such a letter. Exponents (`1e-7`), decimal commas, `nan` and `inf` are refused.
     ///
-    /// The result is the scalar nearest to decimal degrees, and to whole minutes and seconds. With a decimal fraction of
-    /// minutes or seconds it is within 1.5 ulp.
+    /// The result is the scalar nearest to decimal degrees, and to whole minutes and seconds. With a decimal
+    /// fraction of minutes or seconds it is within 1.5 ulp.
     ///
     /// ```
     /// use terrella::LatLon;
@@ -219,7 +219,8 @@ impl<T: Real> Sexagesimal<T> {
         true
     }
 
-    /// Makes the last number one of this unit, units before it being left out; false if it is of a smaller one.
+    /// Makes the last number one of this unit, units before it being left out; false if it is of a smaller
+    /// one.
     fn mark(&mut self, unit: Unit) -> bool {
         let Some(last) = self.last.filter(|&last| last <= unit) else {
             return false;

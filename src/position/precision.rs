@@ -25,8 +25,8 @@ impl From<Geodetic<f32>> for Geodetic {
 }
 
 impl Geodetic {
-    /// Returns the position with its three numbers rounded to the nearest `f32`; a height beyond the largest `f32`, to
-    /// that.
+    /// Returns the position with its three numbers rounded to the nearest `f32`; a height beyond the largest
+    /// `f32`, to that.
     #[must_use]
     pub const fn to_f32(self) -> Geodetic<f32> {
         Geodetic::within(self.lat_lon().to_f32(), saturated(self.height()))
@@ -42,7 +42,8 @@ impl From<Ecef<f32>> for Ecef {
 }
 
 impl Ecef {
-    /// Returns the point with coordinates rounded to the nearest `f32`; a coordinate beyond the largest `f32`, to that.
+    /// Returns the point with coordinates rounded to the nearest `f32`; a coordinate beyond the largest
+    /// `f32`, to that.
     ///
     /// On the Earth the point moves by up to 0.43 m.
     #[must_use]
@@ -52,8 +53,8 @@ impl Ecef {
 }
 
 impl From<Direction<f32>> for Direction {
-    /// The same direction within 2·10⁻¹⁶ rad, with a length of 1 to the digits of `f64`: the components are not those
-    /// of the `f32`, and may round to neighbours of them.
+    /// The same direction within 2·10⁻¹⁶ rad, with a length of 1 to the digits of `f64`: the components are
+    /// not those of the `f32`, and may round to neighbours of them.
     fn from(direction: Direction<f32>) -> Self {
         let [x, y, z] = direction.to_array().map(f64::from);
         let length = crate::Real::sqrt(x * x + y * y + z * z);

@@ -72,12 +72,14 @@ impl<T: fmt::Debug> fmt::Display for InvalidHeights<T> {
 
 impl<T: fmt::Debug> core::error::Error for InvalidHeights<T> {}
 
-/// What it costs to read a height along the sphere's normal in place of the ellipsoid's: from where the height should be to where it then is, in metres in the axes of
-/// the place.
+/// What it costs to read a height along the sphere's normal in place of the ellipsoid's: from where the
+/// height should be to where it then is, in metres in the axes of the place.
 ///
-/// The sphere's normal at a place is the direction that the map's shift gives it, of latitude ξ, and the ellipsoid's has the geodetic latitude φ: the height h goes
-/// h·sin(φ − ξ) toward the equator and h·(1 − cos(φ − ξ)) down (Lambers & Kolb 2012, Fig. 7, for the geocentric latitude). On the Earth it is
-/// up to 0.34 % of the height with the geocentric latitude, 0.22 % with the authalic one, and nothing with the geodetic one. Within 3 ulps of the larger part.
+/// The sphere's normal at a place is the direction that the map's shift gives it, of latitude ξ, and the
+/// ellipsoid's has the geodetic latitude φ: the height h goes h·sin(φ − ξ) toward the equator and h·(1 −
+/// cos(φ − ξ)) down (Lambers & Kolb 2012, Fig. 7, for the geocentric latitude). On the Earth it is up to 0.34
+/// % of the height with the geocentric latitude, 0.22 % with the authalic one, and nothing with the geodetic
+/// one. Within 3 ulps of the larger part.
 ///
 /// ```
 /// use terrella::terrain::lean;

@@ -4,7 +4,8 @@ use core::str::FromStr;
 
 use super::Tile;
 
-/// How the tiles of all faces and levels are laid on a line: [`Morton`](super::Morton) or [`Hilbert`](super::Hilbert). Sealed.
+/// How the tiles of all faces and levels are laid on a line: [`Morton`](super::Morton) or
+/// [`Hilbert`](super::Hilbert). Sealed.
 pub trait Curve: sealed::Order {}
 
 pub(super) mod sealed {
@@ -21,7 +22,8 @@ pub(super) mod sealed {
         /// The face of a number; any face above 5.
         fn face(number: u8) -> Face;
 
-        /// The place of column i and row j along the curve in a face. The first 2L of 60 bits depend on the first L of 30.
+        /// The place of column i and row j along the curve in a face. The first 2L of 60 bits depend on the
+        /// first L of 30.
         fn place(face: Face, i: u32, j: u32) -> u64;
 
         /// The column and row of a place.
@@ -31,13 +33,14 @@ pub(super) mod sealed {
 
 /// A tile as one number, in the order of a curve.
 ///
-/// Three bits of face, then two for each level, then a one, then zeros: the layout of S2's cell ids (Google, `s2cell_id.h`). A tile's
-/// descendants are a range, and so every ancestor's, with which a sorted table or a tree finds them; the tile itself is in the middle of
-/// it. Numbers next to each other are near on the ground, the more so along [`Hilbert`](super::Hilbert)'s
-/// curve, with which a key is the id of S2's cell: [`s2_leaf`](Key::s2_leaf) is that of a direction.
+/// Three bits of face, then two for each level, then a one, then zeros: the layout of S2's cell ids (Google,
+/// `s2cell_id.h`). A tile's descendants are a range, and so every ancestor's, with which a sorted table or a
+/// tree finds them; the tile itself is in the middle of it. Numbers next to each other are near on the
+/// ground, the more so along [`Hilbert`](super::Hilbert)'s curve, with which a key is the id of S2's cell:
+/// [`s2_leaf`](Key::s2_leaf) is that of a direction.
 ///
-/// Written and parsed as S2's token: the digits in base 16 without the zeros at the end, fit for the name of a file; of keys of one
-/// level tokens sort as the keys do.
+/// Written and parsed as S2's token: the digits in base 16 without the zeros at the end, fit for the name of
+/// a file; of keys of one level tokens sort as the keys do.
 ///
 /// ```
 /// use std::collections::BTreeMap;
@@ -77,7 +80,8 @@ impl<C: Curve> Key<C> {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidKey`] if the first three bits are above 5, or the last one that is set is not where a level's is.
+    /// [`InvalidKey`] if the first three bits are above 5, or the last one that is set is not where a level's
+    /// is.
     #[inline]
     pub fn new(bits: u64) -> Result<Self, InvalidKey> {
         if bits >> BELOW_FACE < 6 && bits & bits.wrapping_neg() & PAIRS != 0 {

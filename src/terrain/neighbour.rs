@@ -3,8 +3,9 @@ use crate::cube::{Corner, Edge};
 
 /// What lies across an edge of a tile.
 ///
-/// As [`Neighbour`](crate::cube::Neighbour) has it for faces: laid flat beside this tile and then turned counter-clockwise by `turns` quarter
-/// circles, the plane of this tile's (s, t) becomes that of the neighbour's.
+/// As [`Neighbour`](crate::cube::Neighbour) has it for faces: laid flat beside this tile and then turned
+/// counter-clockwise by `turns` quarter circles, the plane of this tile's (s, t) becomes that of the
+/// neighbour's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Adjacent {
@@ -28,7 +29,8 @@ pub struct Diagonal {
     pub turns: u8,
 }
 
-/// The tiles of a level that meet in a point, each with the corner that it has there: counter-clockwise as seen from outside.
+/// The tiles of a level that meet in a point, each with the corner that it has there: counter-clockwise as
+/// seen from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Around {
@@ -74,8 +76,8 @@ impl Tile {
         Adjacent { tile, edge, turns }
     }
 
-    /// What lies across a corner, at the same level; nothing in a corner of the cube, where this tile and its neighbours across the two edges
-    /// are all there is.
+    /// What lies across a corner, at the same level; nothing in a corner of the cube, where this tile and its
+    /// neighbours across the two edges are all there is.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};
@@ -112,8 +114,9 @@ impl Tile {
         Some(Diagonal { tile, corner, turns })
     }
 
-    /// What lies across a corner at any level: the tile that has this corner, and no edge, in common with this one. Of a finer level there is one
-    /// wherever there is a [`diagonal`](Self::diagonal); of a coarser one often none, since the tile that lies there is also across an edge, or holds this tile.
+    /// What lies across a corner at any level: the tile that has this corner, and no edge, in common with
+    /// this one. Of a finer level there is one wherever there is a [`diagonal`](Self::diagonal); of a coarser
+    /// one often none, since the tile that lies there is also across an edge, or holds this tile.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};
@@ -219,8 +222,9 @@ impl Tile {
         Some(ancestor.around(corner))
     }
 
-    /// The tiles of any level that touch an edge from beyond: one of a coarser level, or none if that one holds this tile too; one of the same
-    /// level; 2ⁿ of the level that is finer by n, from low to high x or y of this tile.
+    /// The tiles of any level that touch an edge from beyond: one of a coarser level, or none if that one
+    /// holds this tile too; one of the same level; 2ⁿ of the level that is finer by n, from low to high x or
+    /// y of this tile.
     ///
     /// ```
     /// use terrella::cube::{Edge, Face};
@@ -259,7 +263,8 @@ impl Tile {
                 (Self::within(tile.face, level, i, j), last + 1)
             }
         };
-        // A step along y becomes one along −x by one turn, along −y by two; one along x becomes one along −x by two, along −y by three.
+        // A step along y becomes one along −x by one turn, along −y by two; one along x becomes one along −x
+        // by two, along −y by three.
         let sideways = edge as u8 % 2 == 1;
         let backward = if sideways { turns >= 2 } else { turns == 1 || turns == 2 };
         Ok(Along {

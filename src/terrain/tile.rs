@@ -6,8 +6,9 @@ use crate::math::{min, select};
 
 /// A square piece of a face: at level L the face has 2^L × 2^L, column i from the left and row j from below.
 ///
-/// It covers −1 + 2i/2^L ≤ x ≤ −1 + 2(i + 1)/2^L, and y by j alike. These coordinates are exact in `f64` at every level and in `f32`
-/// to level 25; beyond, `f32` rounds them to the nearest, and corners of one tile may coincide.
+/// It covers −1 + 2i/2^L ≤ x ≤ −1 + 2(i + 1)/2^L, and y by j alike. These coordinates are exact in `f64` at
+/// every level and in `f32` to level 25; beyond, `f32` rounds them to the nearest, and corners of one tile
+/// may coincide.
 ///
 /// A place in a tile is (s, t) ∈ [0, 1]², s along x and t along y.
 ///
@@ -65,7 +66,8 @@ impl Tile {
         Self::within(face, 0, 0, 0)
     }
 
-    /// The tile of a level in which a point lies; on the line between two, the one of larger x or y. Exact at either precision.
+    /// The tile of a level in which a point lies; on the line between two, the one of larger x or y. Exact at
+    /// either precision.
     ///
     /// These are this crate's axes, and of a place on the edge of two faces
     /// [`project`](crate::cube::CubeProjection::project) takes the face of y before those of z and x. S2's
@@ -153,7 +155,8 @@ impl Tile {
         }
     }
 
-    /// The four quarters, by columns in rows from below: (0, 0), (1, 0), (0, 1), (1, 1); the finest level has none.
+    /// The four quarters, by columns in rows from below: (0, 0), (1, 0), (0, 1), (1, 1); the finest level has
+    /// none.
     ///
     /// ```
     /// use terrella::cube::Face;
@@ -218,12 +221,13 @@ impl Tile {
         self.node([1, 1], 2)
     }
 
-    /// The node (m, n) of the tile's grid of `count` × `count` cells, at (s, t) = (m, n)/count; a larger m or n is taken for `count`, and a
-    /// `count` of 0 for 1.
+    /// The node (m, n) of the tile's grid of `count` × `count` cells, at (s, t) = (m, n)/count; a larger m or
+    /// n is taken for `count`, and a `count` of 0 for 1.
     ///
-    /// Correctly rounded to counts of 2²² in `f64`, within 1.5 ulp in `f32`. Two tiles of a level that share an edge have the same bits along it,
-    /// on either side of a face's edge too, but for the order and the signs that the other face's axes ask for: a coordinate is one division of
-    /// whole numbers, and odd about the middle of the face.
+    /// Correctly rounded to counts of 2²² in `f64`, within 1.5 ulp in `f32`. Two tiles of a level that share
+    /// an edge have the same bits along it, on either side of a face's edge too, but for the order and the
+    /// signs that the other face's axes ask for: a coordinate is one division of whole numbers, and odd about
+    /// the middle of the face.
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint};
@@ -248,7 +252,8 @@ impl Tile {
 
     /// The point of the face at (s, t), correctly rounded (`f32`: to level 25, an ulp beyond).
     ///
-    /// The coordinates of a face have their own digits: at level L there are 2^(53−L) different s in the coarsest spot (`f64`), 2^(24−L) (`f32`).
+    /// The coordinates of a face have their own digits: at level L there are 2^(53−L) different s in the
+    /// coarsest spot (`f64`), 2^(24−L) (`f32`).
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint};
@@ -276,7 +281,8 @@ impl Tile {
         ))
     }
 
-    /// (s, t) of a point, within an ulp; none if it is on another face or beyond the tile's edges, which are part of the tile.
+    /// (s, t) of a point, within an ulp; none if it is on another face or beyond the tile's edges, which are
+    /// part of the tile.
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint};
