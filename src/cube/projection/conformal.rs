@@ -26,7 +26,7 @@ projection! {
         oversize: infinite,
         deformation: 0.0,
         forward: Series, error [5.7e-16, 3.1e-7], instructions [550, 420];
-        inverse: Series, error [5.0e-16, 2.7e-7], instructions [510, 400];
+        inverse: Series, error [5.0e-16, 2.7e-7], instructions [500, 400];
         tiles: [decay(0.211, 4, 0.35), decay(0.144, 4, 0.4)],
     }
 }
