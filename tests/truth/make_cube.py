@@ -84,6 +84,22 @@ def algebraic():
     return forward, inverse
 
 
+def everitt():
+    """|x| = e |u| - (e - 1) u^2, e = 11/8; u is the smaller root."""
+    e = mpf(11) / 8
+
+    def sign(w):
+        return (w > 0) - (w < 0)
+
+    def forward(X, Y, Z):
+        return tuple(sign(u) * (e * abs(u) - (e - 1) * u * u) for u in (X / Z, Y / Z))
+
+    def inverse(x, y):
+        return *(sign(w) * (e - mp.sqrt(e * e - 4 * (e - 1) * abs(w))) / (2 * (e - 1)) for w in (x, y)), ONE
+
+    return forward, inverse
+
+
 def newton_forward(inverse):
     """Forward of a map given by its inverse: Newton on the gnomonic coordinates, Jacobian by differences."""
     h = mpf(10) ** -55
@@ -295,6 +311,7 @@ MAPS = {
     "vertex": ("Vertex equal-area cube (slice and dice about the cube's corners)", vertex),
     "cobe": ("COBE quadrilateralized Spherical Cube, published inverse polynomial, decimal coefficients taken exactly",
                        cobe_published),
+    "everitt": ("Everitt's cube, x = u (11 - 3 |u|) / 8", everitt),
     "conformal": ("Conformal cube (Rancic, Purser & Mesinger), series of 320 terms about the nearest corner; "
                   "inverse by Newton iteration", conformal),
 }

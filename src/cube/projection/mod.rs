@@ -37,4 +37,5 @@ projections! {
     balanced::Balanced,
     square::Square,
     separable::Separable,
+    everitt::Everitt,
 }
