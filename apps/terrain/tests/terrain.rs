@@ -1,5 +1,7 @@
 //! The approach to the terrain, small: its pictures, its figures, and what it refuses.
 
+#![allow(clippy::panic)] // a test may fail loudly
+
 use testkit::program::{count, prints, refuses, text};
 
 const TERRAIN: &str = env!("CARGO_BIN_EXE_terrain");
