@@ -10,7 +10,7 @@ use crate::math::{product_of_any, select, sin_cos_degrees};
 ///
 /// It is written as decimal degrees with as many decimals as asked for, or with as many as it takes to parse
 /// the same bits again; in degrees, minutes and seconds by [`to_dms`](Self::to_dms). Text of either form
-/// parses: see [`from_str`](Self::from_str).
+/// parses: see its implementation of [`FromStr`](core::str::FromStr).
 ///
 /// ```
 /// use terrella::LatLon;
