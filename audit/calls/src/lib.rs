@@ -9,6 +9,7 @@
 mod arguments;
 mod batch;
 mod bits;
+mod catalogue;
 mod cube;
 mod distortion;
 mod frame;
@@ -156,6 +157,7 @@ pub fn every_in<T: Scalar, V: Visitor>(visitor: &mut V) {
     cube::show::<T, V>(visitor);
     distortion::show::<T, V>(visitor);
     geodesic::show::<T, V>(visitor);
+    catalogue::show::<T, V>(visitor);
     healpix::show::<T, V>(visitor);
     batch::show::<T, V>(visitor);
     scene::show::<T, V>(visitor);
