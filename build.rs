@@ -1,23 +1,34 @@
-//! Tells the library two things: whether it is compiled for size (`opt-level = "s"` or `"z"`), where its larger kernels are
-//! linked once and not inlined wherever they are called; and whether the compiler knows AVX-512, which is from Rust 1.89.
+//! Tells the library what it is compiled for.
+//!
+//! * `small`: for size (`opt-level = "s"` or `"z"`). Its larger kernels are then linked once, and not inlined.
+//! * `avx2`, `avx512`: loops over slices are compiled for these instructions too, and the machine chooses at run
+//!   time. Not below `opt-level = 2`: there nothing is fast, and each loop would be compiled three times. AVX-512
+//!   needs Rust 1.89.
 
+use std::env::{var, var_os};
 use std::process::Command;
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rustc-check-cfg=cfg(small)");
-    println!("cargo::rustc-check-cfg=cfg(avx512)");
-    if matches!(std::env::var("OPT_LEVEL").as_deref(), Ok("s" | "z")) {
+    for name in ["small", "avx2", "avx512"] {
+        println!("cargo::rustc-check-cfg=cfg({name})");
+    }
+    let level = var("OPT_LEVEL").unwrap_or_default();
+    if matches!(level.as_str(), "s" | "z") {
         println!("cargo::rustc-cfg=small");
     }
-    if minor_version().is_some_and(|minor| minor >= 89) {
-        println!("cargo::rustc-cfg=avx512");
+    let chooses = var_os("CARGO_FEATURE_STD").is_some() && var("CARGO_CFG_TARGET_ARCH").as_deref() == Ok("x86_64");
+    if chooses && !matches!(level.as_str(), "0" | "1") {
+        println!("cargo::rustc-cfg=avx2");
+        if minor_version().is_some_and(|minor| minor >= 89) {
+            println!("cargo::rustc-cfg=avx512");
+        }
     }
 }
 
 /// The 89 of "rustc 1.89.0 (…)"; none if the compiler does not say.
 fn minor_version() -> Option<u32> {
-    let rustc = std::env::var_os("RUSTC")?;
+    let rustc = var_os("RUSTC")?;
     let said = Command::new(rustc).arg("--version").output().ok()?;
     let version = String::from_utf8(said.stdout).ok()?;
     version.split('.').nth(1)?.parse().ok()

@@ -14,7 +14,7 @@ pub(crate) trait Pass {
 }
 
 /// Runs a pass with the widest instructions that this machine has.
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[cfg(avx2)]
 pub(crate) fn dispatch<P: Pass>(pass: P) -> P::Output {
     #[cfg(avx512)]
     if std::is_x86_feature_detected!("avx512f")
@@ -34,18 +34,18 @@ pub(crate) fn dispatch<P: Pass>(pass: P) -> P::Output {
 }
 
 /// Runs a pass with the instructions that the crate is compiled for.
-#[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+#[cfg(not(avx2))]
 pub(crate) fn dispatch<P: Pass>(pass: P) -> P::Output {
     pass.run()
 }
 
-#[cfg(all(avx512, feature = "std", target_arch = "x86_64"))]
+#[cfg(avx512)]
 #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
 unsafe fn avx512<P: Pass>(pass: P) -> P::Output {
     pass.run()
 }
 
-#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[cfg(avx2)]
 #[target_feature(enable = "avx2")]
 unsafe fn avx2<P: Pass>(pass: P) -> P::Output {
     pass.run()
