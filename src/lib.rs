@@ -1,8 +1,9 @@
 //! Geodesy and cube maps of the Earth, and of other planets, for programs from flight computers to browsers.
 //!
-//! terrella converts latitude and longitude on an ellipsoid to a sphere and to the faces of a cube, and back. It
-//! computes distances, azimuths, destinations and areas, and converts positions between geodetic, Earth-centred and
-//! local axes. It addresses terrain tiles on the faces, and selects those that a picture needs.
+//! terrella converts latitude and longitude on an ellipsoid to a sphere and to the faces of a cube, and back.
+//! It computes distances, azimuths, destinations and areas, and converts positions between geodetic,
+//! Earth-centred and local axes. It addresses terrain tiles on the faces, and selects those that a picture
+//! needs.
 //!
 //! ```text
 //! LatLon ──shift──▶ Direction ──project──▶ FacePoint ──quantise──▶ Tile
@@ -57,38 +58,40 @@
 //! |---|---|
 //! | [`LatLon`], [`Geodetic`] | latitude and longitude in degrees, without and with a height in metres |
 //! | [`Ecef`], [`Direction`] | Earth-centred coordinates in metres, and unit vectors in the same axes |
-//! | [`Ellipsoid`] | the size and shape of a planet, with named constants; [`Geodetic`] to [`Ecef`] and back |
+//! | [`Ellipsoid`] | the size and shape of a planet; [`Geodetic`] to [`Ecef`] and back |
 //! | [`LocalFrame`], [`frame`] | the axes east, north and up about an origin; [`Enu`], [`Ned`], [`Aer`] |
 //! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from the ellipsoid to the sphere |
-//! | [`cube`] | faces of the cube, points on them, the projections; [`CubeMap`](cube::CubeMap) joins them to an ellipsoid |
+//! | [`cube`] | [`CubeMap`](cube::CubeMap), the projections, and the faces of the cube with their points |
 //! | [`healpix`] | standard HEALPix on the sphere: nested pixels and the plane |
 //! | [`geodesic`] | distances, azimuths, destinations and areas, by nine methods behind one trait |
 //! | [`distortion`] | how a projection distorts shapes, areas and texels, at a point and over whole faces |
-//! | [`terrain`] | tiles of the faces: addresses, neighbours, keys, bounds, selection for a camera, vertices in `f32` |
-//! | [`scene`] | the cheapest method, projection level or scalar that keeps your tolerance |
+//! | [`terrain`] | tiles of the faces: addresses, neighbours, bounds, selection, vertices in `f32` |
+//! | [`scene`] | the cheapest method, scalar or level of tiles that keeps your tolerance |
 //! | [`batch`] | the same functions over slices, several points at a time |
 //! | [`math`] | elementary functions for every scalar |
 //! | [`Real`], [`Dual`] | the trait of scalars, and the scalar that carries derivatives |
 //!
 //! # Conventions
 //!
-//! Latitude comes before longitude. Both are in degrees, as are azimuths, which run clockwise from north. Lengths and
-//! heights are in metres. Earth axes are x toward 0° N 0° E, y toward 0° N 90° E, and z toward the north pole.
+//! Latitude comes before longitude. Both are in degrees, as are azimuths, which run clockwise from north.
+//! Lengths and heights are in metres. Earth axes are x toward 0° N 0° E, y toward 0° N 90° E, and z toward
+//! the north pole.
 //!
-//! Every type and function is generic over `f32` and `f64`. With `f32`, no `f64` arithmetic is done. Each page states
-//! the worst error that was measured; the README has the table of all of them.
+//! Every type and function is generic over `f32` and `f64`. With `f32`, no `f64` arithmetic is done. Each
+//! page states the worst error that was measured; the README has the table of all of them.
 //!
 //! The results are built from `+ − × ÷ √` alone: the same input gives the same bits on every machine.
 //!
 //! # What can fail
 //!
-//! * **Constructors** such as [`LatLon::new`] refuse numbers that are out of range, infinite or NaN. The error carries
-//!   the number. Projections, frames and conversions take what a constructor has accepted, and never fail.
+//! * **Constructors** such as [`LatLon::new`] refuse numbers that are out of range, infinite or NaN. The
+//!   error carries the number. Projections, frames and conversions take what a constructor has accepted, and
+//!   never fail.
 //! * **Formulas with a limited range of flattening** are refused when you make them, with
-//!   [`UnsupportedFlattening`](latitude::UnsupportedFlattening). Every ellipsoid of the Earth is in range, except that
-//!   the simpler geodesic methods name their own limits.
-//! * **Geodesics** return [`GeodesicError`](geodesic::GeodesicError) for an azimuth or a distance that is not finite;
-//!   [`Vincenty`](geodesic::Vincenty) also where it does not converge.
+//!   [`UnsupportedFlattening`](latitude::UnsupportedFlattening). All named ellipsoids of
+//!   the Earth are in range.
+//! * **Geodesics** return [`GeodesicError`](geodesic::GeodesicError) for an azimuth or a distance that is not
+//!   finite; [`Vincenty`](geodesic::Vincenty) also where it does not converge.
 //! * **Batches** refuse slices of unequal lengths, with [`InvalidBatch`](batch::InvalidBatch).
 //! * **Scenes** return [`SceneError`](scene::SceneError) if nothing keeps the tolerance.
 //! * **Text**: [`str::parse`] returns an error that says what was expected.
@@ -97,12 +100,13 @@
 //!
 //! # Features and `no_std`
 //!
-//! The crate is `no_std` and allocates nothing. Without the default feature `std`, results are the same, bit for bit.
+//! The crate is `no_std` and allocates nothing. Without the default feature `std`, results are the same, bit
+//! for bit.
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `std` (default) | the hardware's square root, and AVX2 or AVX-512 in batches where the machine has them |
-//! | `glam`, `mint`, `nalgebra` | conversions between positions, directions, local axes and those crates' vectors and matrices |
+//! | `std` (default) | the hardware's square root, and AVX2 or AVX-512 in batches if the machine has them |
+//! | `glam`, `mint`, `nalgebra` | conversions to and from their vectors; axes as their matrices |
 //! | `geo-types` | conversions between [`LatLon`] and geo-types' points |
 //! | `num-traits` | `Float`, `FloatConst` and `NumAssign` for [`Dual`] |
 //! | `serde` | `Serialize` and `Deserialize`, which refuses what the constructors refuse |
@@ -110,8 +114,8 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
-// The registers of these machines are wider than the numbers: sums are rounded twice, and roundings and remainders in
-// the kernels would be wrong.
+// The registers of these machines are wider than the numbers: sums are rounded twice, and roundings and
+// remainders in the kernels would be wrong.
 #[cfg(any(all(target_arch = "x86", not(target_feature = "sse2")), target_arch = "m68k"))]
 compile_error!(
     "terrella needs a processor that rounds each operation to the precision of its numbers: \

@@ -83,8 +83,8 @@ macro_rules! unknown {
     };
 }
 
-/// `by_name!(Thing, UnknownThing, "thing")`: implements `Display` and `FromStr` for a list with `ALL` and `name`, and
-/// declares the error.
+/// `by_name!(Thing, UnknownThing, "thing")`: implements `Display` and `FromStr` for a list with `ALL` and
+/// `name`, and declares the error.
 macro_rules! by_name {
     ($thing:ident, $error:ident, $what:literal) => {
         impl core::fmt::Display for $thing {

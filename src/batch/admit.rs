@@ -9,7 +9,8 @@ pub(crate) trait Constructor<T, const I: usize> {
     /// The constructor's error.
     type Error;
 
-    /// Whether the constructor accepts the numbers and does not change them; `#[inline(always)]`, without a branch.
+    /// Whether the constructor accepts the numbers and does not change them; `#[inline(always)]`, without a
+    /// branch.
     fn keeps(&self, input: [T; I]) -> bool;
 
     /// The numbers as the constructor changes them.
@@ -50,12 +51,12 @@ impl<T: Real, D: Constructor<T, I>, const I: usize> Pass for Check<'_, D, T, I> 
     }
 }
 
-/// Passes all elements through the constructor, then calls `work` on what it returns: once with all columns if it
-/// changes no element, else on one part after the other. `work` is told the length of its part.
+/// Passes all elements through the constructor, then calls `work` on what it returns: once with all columns
+/// if it changes no element, else on one part after the other. `work` is told the length of its part.
 ///
 /// # Errors
-/// [`InvalidBatch`], before `work` is called, if lengths are unequal (`others` are those of the results) or the
-/// constructor refuses an element.
+/// [`InvalidBatch`], before `work` is called, if lengths are unequal (`others` are those of the results) or
+/// the constructor refuses an element.
 pub(crate) fn admit<T: Real, D: Constructor<T, I>, const I: usize>(
     constructor: &D,
     columns: [&[T]; I],

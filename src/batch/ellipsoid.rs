@@ -129,8 +129,8 @@ impl<T: Real> Mended<'_, T> {
     }
 }
 
-/// Converts geodetic latitudes and longitudes in degrees and heights in metres to Earth-centred coordinates in
-/// metres, with the bits of [`Ellipsoid::to_ecef`].
+/// Converts geodetic latitudes and longitudes in degrees and heights in metres to Earth-centred coordinates
+/// in metres, with the bits of [`Ellipsoid::to_ecef`].
 ///
 /// # Errors
 /// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or [`Geodetic::new`] refuses an
@@ -139,8 +139,8 @@ impl<T: Real> Mended<'_, T> {
 /// ```
 /// use terrella::{Ellipsoid, batch::ellipsoid};
 /// let (mut x, mut y, mut z) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-/// let places = [[0.0, 90.0], [90.0, 0.0], [100.0, -100.0]];
-/// ellipsoid::to_ecef(Ellipsoid::WGS84, places.each_ref().map(|c| &c[..]), [&mut x, &mut y, &mut z])?;
+/// let places: [&[f64]; 3] = [&[0.0, 90.0], &[90.0, 0.0], &[100.0, -100.0]];
+/// ellipsoid::to_ecef(Ellipsoid::WGS84, places, [&mut x, &mut y, &mut z])?;
 /// assert_eq!((x, y, z[0]), ([0.0, 0.0], [6_378_237.0, 0.0], 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -156,8 +156,8 @@ pub fn to_ecef<T: Real>(
     })
 }
 
-/// Converts Earth-centred coordinates in metres to geodetic latitudes and longitudes in degrees and heights in
-/// metres, with the bits of [`Ellipsoid::to_geodetic`].
+/// Converts Earth-centred coordinates in metres to geodetic latitudes and longitudes in degrees and heights
+/// in metres, with the bits of [`Ellipsoid::to_geodetic`].
 ///
 /// Points near the centre, on the axis and very far away take its slower way, one by one.
 ///
@@ -168,8 +168,8 @@ pub fn to_ecef<T: Real>(
 /// ```
 /// use terrella::{Ellipsoid, batch::ellipsoid};
 /// let (mut lat, mut lon, mut height) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-/// let points = [[0.0, 0.0], [-7e6, 0.0], [0.0, 0.0]];
-/// ellipsoid::to_geodetic(Ellipsoid::WGS84, points.each_ref().map(|c| &c[..]), [&mut lat, &mut lon, &mut height])?;
+/// let points: [&[f64]; 3] = [&[0.0, 0.0], &[-7e6, 0.0], &[0.0, 0.0]];
+/// ellipsoid::to_geodetic(Ellipsoid::WGS84, points, [&mut lat, &mut lon, &mut height])?;
 /// assert_eq!((lat, lon, height[0]), ([0.0, 90.0], [-90.0, 0.0], 621_863.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

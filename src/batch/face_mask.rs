@@ -1,8 +1,8 @@
 use crate::Real;
 use crate::math::select;
 
-/// A face as the results of comparisons. They are as wide as the coordinates, so that axes are chosen by masks, many
-/// points at a time; [`Face::to_local`](crate::cube::Face::to_local) looks them up in a table.
+/// A face as the results of comparisons. They are as wide as the coordinates, so that axes are chosen by
+/// masks, many points at a time; [`Face::to_local`](crate::cube::Face::to_local) looks them up in a table.
 #[derive(Clone, Copy)]
 pub(super) struct FaceMask<T> {
     /// Top or bottom.

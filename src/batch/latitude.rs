@@ -1,5 +1,5 @@
-//! Converts geodetic latitudes and longitudes to directions and back by a [`Shifted`], and latitudes from one kind to
-//! another by a [`Conversion`].
+//! Converts geodetic latitudes and longitudes to directions and back by a [`Shifted`], and latitudes from one
+//! kind to another by a [`Conversion`].
 
 use core::marker::PhantomData;
 
@@ -119,8 +119,8 @@ fn copy<T: Real>(from: &[T], to: &mut [T]) {
     }
 }
 
-/// Converts in steps, through the geodetic latitude, so that there is a loop for each correction and not for each pair
-/// of them.
+/// Converts in steps, through the geodetic latitude, so that there is a loop for each correction and not for
+/// each pair of them.
 fn convert<T: Real, A: Angle>(
     conversion: &Conversion<T>,
     values: &[T],

@@ -10,8 +10,8 @@ use crate::math::{atan2_degrees, sin_cos_degrees};
 use crate::simd::{CHUNK, Kernel, front, sweep};
 use crate::{InvalidLatLon, Real, Shifted};
 
-/// Projects geodetic latitudes and longitudes in degrees to faces and their coordinates x and y in [−1, 1], with the
-/// bits of [`CubeMap::project`].
+/// Projects geodetic latitudes and longitudes in degrees to faces and their coordinates x and y in [−1, 1],
+/// with the bits of [`CubeMap::project`].
 ///
 /// # Errors
 /// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`](crate::LatLon::new) refuses an
@@ -91,8 +91,8 @@ impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 3, 2> for UnprojectPlace<
     }
 }
 
-/// Converts faces and their coordinates x and y in [−1, 1] to geodetic latitudes and longitudes in degrees, with the
-/// bits of [`CubeMap::unproject`].
+/// Converts faces and their coordinates x and y in [−1, 1] to geodetic latitudes and longitudes in degrees,
+/// with the bits of [`CubeMap::unproject`].
 ///
 /// # Errors
 /// [`InvalidBatch`] if slices have unequal lengths, or [`FacePoint::new`](crate::cube::FacePoint::new)

@@ -59,13 +59,14 @@ impl<T: Real, C: Turn<T>> Kernel<T, 3, 2> for ToLatLon<C> {
     }
 }
 
-/// [`to_direction`] for places that have passed [`Places`]; the correction leads from their latitude to the sphere's.
+/// [`to_direction`] for places that have passed [`Places`]; the correction leads from their latitude to the
+/// sphere's.
 pub(super) fn turn_to_direction<T: Real>(correction: &Correction<T>, places: [&[T]; 2], directions: [&mut [T]; 3]) {
     with_correction!(correction, turn => sweep(ToDirection(*turn), places, directions));
 }
 
-/// [`to_lat_lon`] for directions that have passed [`Vectors`]; the correction leads from the sphere's latitude to that
-/// of the result.
+/// [`to_lat_lon`] for directions that have passed [`Vectors`]; the correction leads from the sphere's
+/// latitude to that of the result.
 pub(super) fn turn_to_lat_lon<T: Real>(correction: &Correction<T>, directions: [&[T]; 3], places: [&mut [T]; 2]) {
     with_correction!(correction, turn => sweep(ToLatLon(*turn), directions, places));
 }

@@ -4,9 +4,9 @@ use crate::{Ellipsoid, LatLon, Real, Shift, Shifted};
 
 /// Converts geodetic latitude and longitude on an ellipsoid to a point of the cube, and back.
 ///
-/// A map consists of three parts: an ellipsoid, the [`Shift`] that leads from the ellipsoid to the sphere, and
-/// a [`CubeProjection`] of the sphere. With the authalic shift, an equal-area projection of the sphere is an
-/// equal-area map of the ellipsoid.
+/// A map consists of three parts: an ellipsoid, the [`Shift`] that leads from the ellipsoid to the sphere,
+/// and a [`CubeProjection`] of the sphere. With the authalic shift, an equal-area projection of the sphere is
+/// an equal-area map of the ellipsoid.
 ///
 /// A round trip on WGS 84 is off by at most 5 nm (`f64`) or 3 m (`f32`), for every projection except
 /// [`Cobe`](super::Cobe) and for every shift. [`batch::map`](crate::batch::map) converts whole slices.

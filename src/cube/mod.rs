@@ -5,8 +5,8 @@
 //!   [`Projection`] is the list of them, to choose one at run time, and [`Profile`] holds their figures.
 //! * [`Numbering`] converts to the faces and axes of S2, OpenGL and FITS.
 //!
-//! If you have no reason for another, take [`Balanced`] for the least texture memory, [`Vertex`] for equal areas,
-//! [`S2Quadratic`] or [`Algebraic`] for speed.
+//! If you have no reason for another, take [`Balanced`] for the least texture memory, [`Vertex`] for equal
+//! areas, [`S2Quadratic`] or [`Algebraic`] for speed.
 
 mod face;
 mod face_point;

@@ -7,8 +7,8 @@ use crate::{Ellipsoid, Real};
 
 /// Converts an angle from one kind of latitude to another, on one ellipsoid.
 ///
-/// Angles are in degrees ([`degrees`](Self::degrees)) or in radians ([`radians`](Self::radians)). The isometric
-/// latitude has no unit, and is the same number for both functions.
+/// Angles are in degrees ([`degrees`](Self::degrees)) or in radians ([`radians`](Self::radians)). The
+/// isometric latitude has no unit, and is the same number for both functions.
 ///
 /// | worst error for −1/150 ≤ f ≤ 1/10, in radians | `f64` | `f32` |
 /// |---|---|---|
@@ -51,8 +51,8 @@ impl<T: Real> Conversion<T> {
     /// Creates the conversion from one latitude to another on an ellipsoid.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] if the flattening is out of the range of one of the two latitudes. From a latitude
-    /// to itself, every ellipsoid is accepted.
+    /// [`UnsupportedFlattening`] if the flattening is out of the range of one of the two latitudes. From a
+    /// latitude to itself, every ellipsoid is accepted.
     pub fn new(ellipsoid: Ellipsoid<T>, from: Latitude, to: Latitude) -> Result<Self, UnsupportedFlattening<T>> {
         let (start, end) = (angle_of(from), angle_of(to));
         let same = start == end;
@@ -88,8 +88,8 @@ impl<T: Real> Conversion<T> {
     /// To the isometric latitude, it returns the number ψ, infinite at the poles; from it, it takes any ψ.
     ///
     /// # Errors
-    /// [`InvalidLatitude`] if the angle is outside [−π/2, π/2] or NaN; π/2 stands for the number of the scalar
-    /// nearest to it.
+    /// [`InvalidLatitude`] if the angle is outside [−π/2, π/2] or NaN; π/2 stands for the number of the
+    /// scalar nearest to it.
     #[inline]
     pub fn radians(&self, value: T) -> Result<T, InvalidLatitude<T>> {
         self.convert::<Radians>(value)

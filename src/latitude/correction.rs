@@ -127,8 +127,8 @@ impl<T: Real, const NEAR: bool> Turn<T> for Tangent<T, NEAR> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct SineSeries<T, const SHORT: bool>([T; series::ORDER.0]);
 
-/// The number of terms that reaches rounding for |n| ≤ 0.0018, the Earth's ellipsoids: the next term is at most
-/// 2e-17 rad (`f32`: 3e-9).
+/// The number of terms that reaches rounding for |n| ≤ 0.0018, the Earth's ellipsoids: the next term is at
+/// most 2e-17 rad (`f32`: 3e-9).
 const EARTH: (usize, usize) = (6, 3);
 
 impl<T: Real, const SHORT: bool> Turn<T> for SineSeries<T, SHORT> {
@@ -166,7 +166,8 @@ pub(crate) fn supported<T: Real>(
 }
 
 impl<T: Real> Correction<T> {
-    /// The correction from the geodetic latitude to that of a shift, on an ellipsoid known to be [`supported`].
+    /// The correction from the geodetic latitude to that of a shift, on an ellipsoid known to be
+    /// [`supported`].
     pub fn to_shifted(ellipsoid: Ellipsoid<T>, shift: Shift) -> Self {
         match shift {
             Shift::Geodetic => Self::None,
@@ -191,11 +192,12 @@ impl<T: Real> Correction<T> {
         }
     }
 
-    /// Bounds over all latitudes: the largest angle in radians; and a lower and an upper bound that hold both for
-    /// the derivative of the second latitude by the first and for the ratio of their cosines.
+    /// Bounds over all latitudes: the largest angle in radians; and a lower and an upper bound that hold both
+    /// for the derivative of the second latitude by the first and for the ratio of their cosines.
     ///
-    /// If the tangents have a fixed ratio, both lie between that ratio and its inverse. For δ(x) = Σ cₖ sin 2kx, the
-    /// derivative is within Σ 2k|cₖ| of 1. So is cos(x + δ)/cos x = cos δ − sin δ tan x, apart from δ²/2, because
+    /// If the tangents have a fixed ratio, both lie between that ratio and its inverse. For δ(x) = Σ cₖ sin
+    /// 2kx, the derivative is within Σ 2k|cₖ| of 1. So is cos(x + δ)/cos x = cos δ − sin δ tan x, apart from
+    /// δ²/2, because
     /// |sin 2kx tan x| = |sin 2kx/sin 2x|·2 sin² x ≤ 2k.
     pub fn bounds(&self) -> (T, [T; 2]) {
         let one = T::ONE;
@@ -326,8 +328,8 @@ mod tests {
                 for correction in both.into_iter().filter_map(|new| Some(new(ellipsoid?, shift))) {
                     let (angle, [low, high]) = correction.bounds();
                     let (largest, [least, most]) = sampled(correction);
-                    // Apart from the rounding of the difference quotient, a bound is not smaller than the value,
-                    // and larger by no more than a part that grows with the flattening.
+                    // Apart from the rounding of the difference quotient, a bound is not smaller than the
+                    // value, and larger by no more than a part that grows with the flattening.
                     let close = |bound: f64, found: f64| {
                         (-1e-9..=(0.02 + 3.0 * f.abs()) * found + 1e-9).contains(&(bound - found))
                     };

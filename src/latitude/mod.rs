@@ -1,11 +1,11 @@
 //! Auxiliary latitudes, and the step from the ellipsoid to the sphere.
 //!
-//! An auxiliary latitude is an angle that takes the place of the geodetic latitude in a formula, because it keeps
-//! a property: areas (authalic), angles (conformal), lengths of meridians (rectifying).
+//! An auxiliary latitude is an angle that takes the place of the geodetic latitude in a formula, because it
+//! keeps a property: areas (authalic), angles (conformal), lengths of meridians (rectifying).
 //!
 //! * [`Conversion`] converts an angle from one [`Latitude`] to another.
-//! * [`Shifted`] converts geodetic latitude and longitude on an ellipsoid to a unit vector on the sphere, and back;
-//!   [`Shift`] says which auxiliary latitude becomes the sphere's latitude.
+//! * [`Shifted`] converts geodetic latitude and longitude on an ellipsoid to a unit vector on the sphere, and
+//!   back; [`Shift`] says which auxiliary latitude becomes the sphere's latitude.
 //!
 //! [`batch::latitude`](crate::batch::latitude) does both for whole slices.
 
@@ -55,34 +55,34 @@ macro_rules! names {
 names! {
     /// A kind of latitude: the geodetic latitude or an auxiliary one.
     ///
-    /// φ is the geodetic latitude, f the flattening and e² = f(2 − f) the eccentricity squared. Each latitude is 0
-    /// at the equator and, except the isometric latitude, ±90° at the poles.
+    /// φ is the geodetic latitude, f the flattening and e² = f(2 − f) the eccentricity squared. Each latitude
+    /// is 0 at the equator and, except the isometric latitude, ±90° at the poles.
     #[doc(alias("auxiliary latitude"))]
     Latitude, UnknownLatitude, "latitude":
     /// φ, the geodetic latitude: the angle between the ellipsoid's normal and the equatorial plane. Maps and
     /// satellite receivers use it.
     #[doc(alias("geographic latitude"))]
     Geodetic "geodetic",
-    /// θ, the geocentric latitude: the angle between the line to the Earth's centre and the equatorial plane, of a
-    /// point on the ellipsoid. tan θ = (1 − e²) tan φ.
+    /// θ, the geocentric latitude: the angle between the line to the Earth's centre and the equatorial plane,
+    /// of a point on the ellipsoid. tan θ = (1 − e²) tan φ.
     #[doc(alias("geocentric latitude"))]
     Geocentric "geocentric",
     /// β, the parametric or reduced latitude: tan β = (1 − f) tan φ.
     #[doc(alias("reduced latitude", "parametric latitude"))]
     Parametric "parametric",
-    /// ξ, the authalic latitude: the area between the equator and the parallel is the same on the sphere of equal
-    /// total area as on the ellipsoid.
+    /// ξ, the authalic latitude: the area between the equator and the parallel is the same on the sphere of
+    /// equal total area as on the ellipsoid.
     #[doc(alias("authalic latitude"))]
     Authalic "authalic",
-    /// χ, the conformal latitude: with it as the sphere's latitude, the map from the ellipsoid to the sphere keeps
-    /// angles.
+    /// χ, the conformal latitude: with it as the sphere's latitude, the map from the ellipsoid to the sphere
+    /// keeps angles.
     #[doc(alias("conformal latitude"))]
     Conformal "conformal",
     /// μ, the rectifying latitude: proportional to the distance from the equator along the meridian.
     #[doc(alias("rectifying latitude"))]
     Rectifying "rectifying",
-    /// ψ, the isometric latitude: the ordinate of Mercator's map on an ellipsoid of a = 1. It has no unit, and is
-    /// infinite at the poles.
+    /// ψ, the isometric latitude: the ordinate of Mercator's map on an ellipsoid of a = 1. It has no unit,
+    /// and is infinite at the poles.
     #[doc(alias("isometric latitude", "Mercator"))]
     Isometric "isometric",
 }
@@ -93,7 +93,8 @@ names! {
     /// The default is authalic, for the sake of the equal-area projections. PROJ's `qsc` and `s2` use the
     /// geocentric latitude. The longitude stays the same.
     Shift, UnknownShift, "shift":
-    /// The geodetic latitude, unchanged: the outward normal of the ellipsoid becomes the direction on the sphere.
+    /// The geodetic latitude, unchanged: the outward normal of the ellipsoid becomes the direction on the
+    /// sphere.
     Geodetic "geodetic",
     /// The geocentric latitude: every point of the ellipsoid stays on its ray from the centre.
     Geocentric "geocentric",
@@ -147,7 +148,11 @@ pub struct UnsupportedFlattening<T>(pub T);
 
 impl<T: fmt::Debug> fmt::Display for UnsupportedFlattening<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "flattening {:?} is outside the range in which this formula is accurate", self.0)
+        write!(
+            f,
+            "flattening {:?} is outside the range in which this formula is accurate",
+            self.0
+        )
     }
 }
 

@@ -108,13 +108,14 @@ impl<T: Real> Shifted<T> {
     }
 }
 
-/// The outward normal of the ellipsoid at the place that belongs to a direction on the sphere, by the correction to
-/// the geodetic latitude. No angle is computed.
+/// The outward normal of the ellipsoid at the place that belongs to a direction on the sphere, by the
+/// correction to the geodetic latitude. No angle is computed.
 #[must_use]
 #[inline(always)]
 pub(crate) fn normal<T: Real>(correction: &impl Turn<T>, direction: Direction<T>) -> Direction<T> {
     let [x, y, z] = direction.to_array();
-    // cos φ divided by the distance from the axis is smooth across the pole, if that distance is kept above 0.
+    // cos φ divided by the distance from the axis is smooth across the pole, if that distance is kept above
+    // 0.
     let axial = max(T::pick(1e-300, 1e-36), x * x + y * y).sqrt();
     let (sin, cos) = correction.turn((z, axial));
     let scale = cos / axial;

@@ -52,8 +52,8 @@ pub trait CubeProjection: Copy {
         (z.abs() > y.abs()) & (z.abs() >= x.abs())
     }
 
-    /// Returns the face of a direction: top or bottom, or the side face of its longitude. Where |x| = |y|, the
-    /// side face is that of the axis y.
+    /// Returns the face of a direction: top or bottom, or the side face of its longitude. Where |x| = |y|,
+    /// the side face is that of the axis y.
     #[must_use]
     #[inline(always)]
     fn face<T: Real>(&self, direction: Direction<T>) -> Face {

@@ -16,8 +16,8 @@ impl Decay {
     }
 }
 
-/// For a projection without creases: the displacement of a tile drawn by its corners, and the error of a series
-/// of the second order.
+/// For a projection without creases: the displacement of a tile drawn by its corners, and the error of a
+/// series of the second order.
 pub(super) const fn smooth(displacement: f64, series: f64) -> [Decay; 2] {
     [decay(displacement, 6, 0.0), decay(series, 9, 0.0)]
 }

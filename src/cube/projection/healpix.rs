@@ -67,8 +67,8 @@ impl CubeProjection for Healpix {
     fn forward<T: Real>(&self, face: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
         let polar = face.is_polar();
         let length = (right * right + up * up + outward * outward).sqrt();
-        // The longitude within its quarter: on a side face from the centre of the face, on a polar face from that
-        // of the triangle.
+        // The longitude within its quarter: on a side face from the centre of the face, on a polar face from
+        // that of the triangle.
         let steep = polar & (up.abs() > right.abs());
         let major = select(polar, select(steep, up, right), outward);
         let minor = select(steep | !polar, right, up);

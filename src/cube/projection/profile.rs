@@ -42,7 +42,8 @@ pub struct Profile {
     pub forward: Evaluation,
     /// Formula, error and cost from the cube to the sphere. The error is that of the direction, in radians.
     pub inverse: Evaluation,
-    /// How the errors of simplified tiles shrink with the level: see [`Scene::tiles`](crate::scene::Scene::tiles).
+    /// How the errors of simplified tiles shrink with the level: see
+    /// [`Scene::tiles`](crate::scene::Scene::tiles).
     pub(crate) tiles: [Decay; 2],
 }
 
@@ -117,8 +118,10 @@ macro_rules! projection {
             aspect_ratio: $aspect:literal,
             oversize: $oversize:tt,
             deformation: $deformation:literal,
-            forward: $forward:ident, error [$xy64:literal, $xy32:literal], instructions [$to64:literal, $to32:literal];
-            inverse: $inverse:ident, error [$rad64:literal, $rad32:literal], instructions [$from64:literal, $from32:literal];
+            forward: $forward:ident, error [$xy64:literal, $xy32:literal],
+                instructions [$to64:literal, $to32:literal];
+            inverse: $inverse:ident, error [$rad64:literal, $rad32:literal],
+                instructions [$from64:literal, $from32:literal];
             tiles: $tiles:expr,
         }
     ) => {
@@ -134,7 +137,7 @@ macro_rules! projection {
         ///
         #[doc = include_str!(concat!("pictures/", $name, ".svg"))]
         ///
-        /// | largest area of a cell over the smallest | aspect ratio | texture oversize ε | angular deformation ω |
+        /// | largest area over the smallest | aspect ratio | texture oversize ε | angular deformation ω |
         /// |---|---|---|---|
         #[doc = concat!(
             "| ", $crate::cube::projection::profile::figure!(text $area), " | ", $aspect, " | ",
@@ -144,12 +147,12 @@ macro_rules! projection {
         /// | | formula | worst error, `f64` | `f32` | instructions for one point, `f64` | `f32` |
         /// |---|---|---|---|---|---|
         #[doc = concat!(
-            "| to the cube | ", stringify!($forward), " | ", stringify!($xy64), " of x and y | ", stringify!($xy32),
-            " | ", $to64, " | ", $to32, " |"
+            "| to the cube | ", stringify!($forward), " | ", stringify!($xy64), " of x and y | ",
+            stringify!($xy32), " | ", $to64, " | ", $to32, " |"
         )]
         #[doc = concat!(
-            "| to the sphere | ", stringify!($inverse), " | ", stringify!($rad64), " rad | ", stringify!($rad32),
-            " rad | ", $from64, " | ", $from32, " |"
+            "| to the sphere | ", stringify!($inverse), " | ", stringify!($rad64), " rad | ",
+            stringify!($rad32), " rad | ", $from64, " | ", $from32, " |"
         )]
         ///
         /// ```

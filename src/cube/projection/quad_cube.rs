@@ -11,8 +11,8 @@ use crate::real::Kernel;
 /// + u³(1 − u²)\[Ω₁ − (1 − u²)ΣDᵢu²ⁱ\].
 ///
 /// To the sphere, Newton's method solves the same polynomial. So a round trip is exact to rounding with any
-/// published coefficients, for example those of Chan & O'Neill's QLSC (1975). The polynomial must be one to one,
-/// and its slope must be larger than about ½.
+/// published coefficients, for example those of Chan & O'Neill's QLSC (1975). The polynomial must be one to
+/// one, and its slope must be larger than about ½.
 ///
 /// The coefficients are, in order, γ\*, M, Γ, Ω₁, C₀₀, C₁₀, C₀₁, C₁₁, C₂₀, C₀₂, D₀, D₁.
 ///
@@ -92,8 +92,8 @@ impl CubeProjection for QuadCube {
             [u, v] = self.newton([u, v], [px, py]);
         });
         let (mut u, mut v) = (T::from_plain(u), T::from_plain(v));
-        // A loop, which a plain number never enters: written out, the steps that are not taken would be half of
-        // what a compiler has to read.
+        // A loop, which a plain number never enters: written out, the steps that are not taken would be half
+        // of what a compiler has to read.
         for _ in 0..T::steps(0, 0) {
             [u, v] = self.newton([u, v], [x, y]);
         }

@@ -64,7 +64,8 @@ impl CubeProjection for Quadrilateralized {
         let (long, short) = (max(y.abs(), x.abs()), min(x.abs(), y.abs()));
         let m = short / select(long == T::ZERO, T::ONE, long);
         let t = odd_unit(m, &QUAD_T);
-        // s is the outward component on the edge. There w is 0, so that outward and major agree to the last bit.
+        // s is the outward component on the edge. There w is 0, so that outward and major agree to the last
+        // bit.
         let mm = m * m;
         // 1/√3 and what its rounding lost, to be exact in the corner.
         let s = T::of(0.5773502691896257)

@@ -51,8 +51,8 @@ impl CubeProjection for Square {
         let (b02, z20, z21) = (T::of(B02), T::of(Z20), T::of(Z21));
         let (two, four) = (T::of(2.0), T::of(4.0));
         let (pu, pv) = (T::ONE - u * u, T::ONE - v * v);
-        // The guess is within 2.1e-3. After one, two, three steps of Newton's method the error is at most 2e-6,
-        // 2e-12, 4e-16.
+        // The guess is within 2.1e-3. After one, two, three steps of Newton's method the error is at most
+        // 2e-6, 2e-12, 4e-16.
         let [c00, c10, c01, c11, c02] = T::all(&START);
         let start = |w: T, p: T, q: T| w * (T::ONE + p * (c00 + c10 * p + q * (c01 + c11 * p + c02 * q)));
         let (mut x, mut y) = (start(u, pu, pv), start(v, pv, pu));
