@@ -77,16 +77,17 @@
 //! Lengths and heights are in metres. Earth axes are x toward 0° N 0° E, y toward 0° N 90° E, and z toward
 //! the north pole.
 //!
-//! Every type and function is generic over `f32` and `f64`. With `f32`, no `f64` arithmetic is done. Each
-//! page states the worst error that was measured; the README has the table of all of them.
+//! Types and functions are generic over `f32` and `f64`. With `f32`, no `f64` arithmetic is done. Each page
+//! states the worst error that was measured; the README has the table of all of them.
 //!
 //! The results are built from `+ − × ÷ √` alone: the same input gives the same bits on every machine.
 //!
 //! # What can fail
 //!
 //! * **Constructors** such as [`LatLon::new`] refuse numbers that are out of range, infinite or NaN. The
-//!   error carries the number. Projections, frames and conversions take what a constructor has accepted, and
-//!   never fail.
+//!   error carries the number. Projections and conversions of what a constructor has accepted never fail.
+//! * **Plain numbers**, such as the fields of [`Enu`], [`Ned`] and [`Aer`] and the angles of a
+//!   [`Conversion`](latitude::Conversion), are checked by the function that takes them.
 //! * **Formulas with a limited range of flattening** are refused when you make them, with
 //!   [`UnsupportedFlattening`](latitude::UnsupportedFlattening). All named ellipsoids of
 //!   the Earth are in range.

@@ -52,7 +52,7 @@ impl<T: Real> Conversion<T> {
     ///
     /// # Errors
     /// [`UnsupportedFlattening`] if the flattening is out of the range of one of the two latitudes. From a
-    /// latitude to itself, every ellipsoid is accepted.
+    /// latitude to itself, and between the conformal and the isometric one, every ellipsoid is accepted.
     pub fn new(ellipsoid: Ellipsoid<T>, from: Latitude, to: Latitude) -> Result<Self, UnsupportedFlattening<T>> {
         let (start, end) = (angle_of(from), angle_of(to));
         let same = start == end;

@@ -131,18 +131,23 @@ macro_rules! projection {
         ///
         #[doc = concat!("**Origin.** ", $origin)]
         ///
-        #[doc = concat!("**When to take it.** ", $choose)]
+        #[doc = concat!("**Choice.** ", $choose)]
         ///
-        #[doc = concat!("Name, as [`Projection`](crate::cube::Projection) is parsed from it: `", $name, "`.")]
+        #[doc = concat!("**Name.** `", $name, "`, for [`Projection`](crate::cube::Projection).")]
         ///
         #[doc = include_str!(concat!("pictures/", $name, ".svg"))]
         ///
-        /// | largest area over the smallest | aspect ratio | texture oversize ε | angular deformation ω |
+        /// | [largest area over smallest] | [aspect ratio] | [texture oversize ε] | [angular deformation ω] |
         /// |---|---|---|---|
         #[doc = concat!(
             "| ", $crate::cube::projection::profile::figure!(text $area), " | ", $aspect, " | ",
             $crate::cube::projection::profile::figure!(text $oversize), " | ", $deformation, "° |"
         )]
+        ///
+        /// [largest area over smallest]: crate::cube::Profile::area_ratio
+        /// [aspect ratio]: crate::cube::Profile::aspect_ratio
+        /// [texture oversize ε]: crate::cube::Profile::oversize
+        /// [angular deformation ω]: crate::cube::Profile::deformation
         ///
         /// | | formula | worst error, `f64` | `f32` | instructions for one point, `f64` | `f32` |
         /// |---|---|---|---|---|---|

@@ -13,7 +13,8 @@ projection! {
             of the faces.",
         idea: "The diagonals of a face cut it into four triangles. In each triangle, the area swept around \
             the centre of the face and the area outward from it stay in proportion, so that all cells have \
-            the same area. The price is a crease along both diagonals.",
+            the same area. The price is a crease along both diagonals: a line that crosses one bends there, \
+            by more than 20° at the worst.",
         origin: "O’Neill & Laubscher (1976), after Chan & O’Neill (1975); the same map as those of Snyder \
             (1992) and of Roşca & Plonka (2011); QSC of the FITS standard and of PROJ; Dimitrijević, \
             Lambers & Rančić (2016), §4.5.",

@@ -9,9 +9,9 @@ projection! {
         title: "Vertex",
         also: "vertex-oriented equal-area cube",
         summary: "The vertex equal-area cube: equal-area in closed form both ways, with small creases.",
-        idea: "It is made like the quadrilateralized cube, but its triangles are sliced from the corners \
-            of the cube instead of the centres of the faces. All cells have the same area, and creases are \
-            at most 5°.",
+        idea: "It is made like the quadrilateralized cube, but its triangles are sliced from the corners of \
+            the cube instead of the centres of the faces. All cells have the same area. A line bends by at \
+            most 5° where it crosses from one triangle to another (a crease).",
         origin: "The slice-and-dice method of van Leeuwen & Strebe (2006), applied to the 48 triangles of \
             the cube.",
         choose: "Take it for equal areas: no other projection here has them with less distortion. Where \
