@@ -1,8 +1,8 @@
-//! What an `Unknown…` error keeps of the text that is no name.
+//! Lists whose entries have names: their text in and out, and the error for a name that is not in the list.
 
 use core::fmt::{self, Write};
 
-/// The beginning of a text: 30 bytes at most, whole characters.
+/// The first characters of a text, as many as fit into 30 bytes.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Name {
     bytes: [u8; 30],
@@ -25,7 +25,7 @@ impl Name {
         }
     }
 
-    /// The text, without what was cut off.
+    /// The characters that were kept.
     pub fn as_str(&self) -> &str {
         let kept = self.bytes.get(..self.length.into()).unwrap_or_default();
         core::str::from_utf8(kept).unwrap_or_default()
@@ -33,7 +33,7 @@ impl Name {
 }
 
 impl fmt::Debug for Name {
-    /// In quotation marks, with `…` where it was cut.
+    /// Writes the characters in quotation marks, with `…` after them if the text was longer.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Debug::fmt(self.as_str(), f)?;
         if self.cut { f.write_char('…') } else { Ok(()) }
@@ -47,10 +47,12 @@ impl defmt::Format for Name {
     }
 }
 
-/// `unknown!(UnknownThing, "thing", names)`: the error of a name that is not in a list.
+/// `unknown!(UnknownThing, "thing", names)`: declares the error for a name that is not in a list.
 macro_rules! unknown {
     ($error:ident, $what:literal, $known:expr) => {
-        #[doc = concat!("The error for a name that no ", $what, " has. It keeps the first 30 bytes of the name.")]
+        #[doc = concat!("The error for a name that no ", $what, " has.")]
+        ///
+        /// It keeps the first 30 bytes of the name. Its text lists the names that are known.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $error($crate::name::Name);
@@ -60,7 +62,7 @@ macro_rules! unknown {
                 Self($crate::name::Name::new(name))
             }
 
-            /// The name that was refused: its first 30 bytes at most.
+            /// Returns the name that was refused, cut after at most 30 bytes.
             #[must_use]
             pub fn name(&self) -> &str {
                 self.0.as_str()
@@ -81,7 +83,8 @@ macro_rules! unknown {
     };
 }
 
-/// `by_name!(Thing, UnknownThing, "thing")`: text in and out, and the error, of a list with `ALL` and `name`.
+/// `by_name!(Thing, UnknownThing, "thing")`: implements `Display` and `FromStr` for a list with `ALL` and
+/// `name`, and declares the error.
 macro_rules! by_name {
     ($thing:ident, $error:ident, $what:literal) => {
         impl core::fmt::Display for $thing {

@@ -1,22 +1,23 @@
-//! The elements of a batch, checked as their constructors check them.
+//! Checks the elements of a batch as their constructors do.
 
 use super::{InvalidBatch, same_length};
 use crate::Real;
 use crate::simd::{BLOCK, CHUNK, Pass, Source, dispatch, element};
 
-/// What the elements of a batch are, and the constructor that lets them in.
+/// The constructor of the elements of a batch.
 pub(crate) trait Constructor<T, const I: usize> {
-    /// What the constructor refuses with.
+    /// The constructor's error.
     type Error;
 
-    /// Whether the constructor keeps the numbers as they are; `#[inline(always)]`, without a branch.
+    /// Whether the constructor accepts the numbers and does not change them; `#[inline(always)]`, without a
+    /// branch.
     fn keeps(&self, input: [T; I]) -> bool;
 
-    /// The numbers as the constructor keeps them.
+    /// The numbers as the constructor changes them.
     fn admit(&self, input: [T; I]) -> Result<[T; I], Self::Error>;
 }
 
-/// Whether a constructor keeps all numbers as they are.
+/// The pass that finds out whether a constructor accepts all numbers without a change.
 struct Check<'s, D, T, const I: usize> {
     constructor: &'s D,
     columns: [&'s [T]; I],
@@ -50,11 +51,12 @@ impl<T: Real, D: Constructor<T, I>, const I: usize> Pass for Check<'_, D, T, I> 
     }
 }
 
-/// Lets the columns in by the constructor, then does the work on them as the constructor keeps them: all at once if it changes nothing,
-/// else in parts of the length given.
+/// Passes all elements through the constructor, then calls `work` on what it returns: once with all columns
+/// if it changes no element, else on one part after the other. `work` is told the length of its part.
 ///
 /// # Errors
-/// [`InvalidBatch`], before any work, for unequal lengths (`others` are those of the results) and for what the constructor refuses.
+/// [`InvalidBatch`], before `work` is called, if lengths are unequal (`others` are those of the results) or
+/// the constructor refuses an element.
 pub(crate) fn admit<T: Real, D: Constructor<T, I>, const I: usize>(
     constructor: &D,
     columns: [&[T]; I],

@@ -1,4 +1,4 @@
-//! Directions to points of the cube's faces and back, by any [`CubeProjection`].
+//! Converts directions to points of the cube's faces, and back, by any [`CubeProjection`].
 
 use super::InvalidBatch;
 use super::admit::{Constructor, admit};
@@ -45,7 +45,7 @@ impl<T: Real, P: CubeProjection> Kernel<T, 3, 3> for Unproject<P> {
     }
 }
 
-/// Points of faces as a source and a sink: the face is a column of numbers.
+/// Points of faces as a source and a sink. The face becomes a column of numbers.
 pub(super) struct Faces<F, C> {
     pub(super) faces: F,
     pub(super) points: C,
@@ -82,7 +82,7 @@ impl<T: Real> Sink<T, 3> for Faces<&mut [Face], [&mut [T]; 2]> {
     }
 }
 
-/// Where to project from, and to.
+/// Projects directions into faces and points.
 struct ProjectAll<'a, T>([&'a [T]; 3], Faces<&'a mut [Face], [&'a mut [T]; 2]>);
 
 impl<T: Real> ProjectionTask for ProjectAll<'_, T> {
@@ -93,7 +93,7 @@ impl<T: Real> ProjectionTask for ProjectAll<'_, T> {
     }
 }
 
-/// Where to go back from, and to.
+/// Unprojects faces and points into directions.
 struct UnprojectAll<'a, T>(Faces<&'a [Face], [&'a [T]; 2]>, [&'a mut [T]; 3]);
 
 impl<T: Real> ProjectionTask for UnprojectAll<'_, T> {
@@ -104,7 +104,7 @@ impl<T: Real> ProjectionTask for UnprojectAll<'_, T> {
     }
 }
 
-/// Of directions as [`Vectors`] keeps them.
+/// [`project`] for directions that have passed [`Vectors`].
 pub(super) fn project_units<T: Real, P: CubeProjection>(
     projection: P,
     directions: [&[T]; 3],
@@ -114,7 +114,7 @@ pub(super) fn project_units<T: Real, P: CubeProjection>(
     projection.with(ProjectAll(directions, Faces { faces, points }));
 }
 
-/// Of points as [`Points`] keeps them.
+/// [`unproject`] for points that have passed [`Points`].
 pub(super) fn unproject_points<T: Real, P: CubeProjection>(
     projection: P,
     faces: &[Face],
@@ -124,10 +124,12 @@ pub(super) fn unproject_points<T: Real, P: CubeProjection>(
     projection.with(UnprojectAll(Faces { faces, points }, directions));
 }
 
-/// Directions to their places on the cube: [`CubeProjection::project`].
+/// Projects vectors of any length to faces and their coordinates x and y in [−1, 1], with the bits of
+/// [`CubeProjection::project`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`Direction::new`] refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Direction::new`] refuses an element. Nothing is
+/// written then.
 ///
 /// ```
 /// use terrella::batch::cube;
@@ -151,10 +153,12 @@ pub fn project<T: Real, P: CubeProjection>(
     })
 }
 
-/// Places on the cube to their directions: [`CubeProjection::unproject`].
+/// Converts faces and their coordinates x and y in [−1, 1] to unit vectors, with the bits of
+/// [`CubeProjection::unproject`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`FacePoint::new`] refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`FacePoint::new`] refuses an element. Nothing is
+/// written then.
 ///
 /// ```
 /// use terrella::batch::cube;
@@ -171,7 +175,7 @@ pub fn unproject<T: Real, P: CubeProjection>(
     mut directions: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidFacePoint<T>>> {
     let [x, y, z] = directions.each_ref().map(|column| column.len());
-    // A point is kept or refused: all of them come at once.
+    // A point is accepted without a change or refused: `work` is called once, with all of them.
     admit(&Points, points, &[faces.len(), x, y, z], |length, points| {
         unproject_points(projection, faces, points, front(&mut directions, length));
     })

@@ -1,4 +1,4 @@
-//! Geodetic latitude, longitude and height to Earth-centred coordinates and back.
+//! Converts geodetic latitude, longitude and height to Earth-centred coordinates, and back.
 
 use core::fmt;
 
@@ -8,13 +8,13 @@ use crate::math::select;
 use crate::simd::{BLOCK, Kernel, Sink, front, store, sweep};
 use crate::{Ecef, Ellipsoid, Geodetic, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon, Real};
 
-/// Why a latitude, longitude and height were refused.
+/// Why an element with a latitude, a longitude and a height was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidGeodetic<T> {
-    /// By [`LatLon::new`].
+    /// [`LatLon::new`] refuses the latitude or longitude.
     LatLon(InvalidLatLon<T>),
-    /// By [`Geodetic::new`].
+    /// [`Geodetic::new`] refuses the height.
     Height(InvalidHeight<T>),
 }
 
@@ -74,7 +74,7 @@ impl<T: Real> Kernel<T, 3, 3> for ToEcef<T> {
     }
 }
 
-/// The straight line, and 1 for points that it holds for.
+/// The formula without branches, and 1 for the points for which it holds.
 struct ToGeodetic<T>(Ellipsoid<T>);
 
 impl<T: Real> Kernel<T, 3, 4> for ToGeodetic<T> {
@@ -87,7 +87,7 @@ impl<T: Real> Kernel<T, 3, 4> for ToGeodetic<T> {
     }
 }
 
-/// Where places go, and the points they are of: those that the straight line does not hold for are done again.
+/// Stores places. Those for which the formula without branches does not hold are computed again.
 struct Mended<'a, T> {
     ellipsoid: Ellipsoid<T>,
     points: [&'a [T]; 3],
@@ -129,19 +129,22 @@ impl<T: Real> Mended<'_, T> {
     }
 }
 
-/// Geodetic latitudes, longitudes (degrees) and heights (metres) to Earth-centred coordinates (metres): [`Ellipsoid::to_ecef`].
+/// Converts geodetic latitudes and longitudes in degrees and heights in metres to Earth-centred coordinates
+/// in metres, with the bits of [`Ellipsoid::to_ecef`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`LatLon::new`] and [`Geodetic::new`] refuse; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or [`Geodetic::new`] refuses an
+/// element. Nothing is written then.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::ellipsoid};
 /// let (mut x, mut y, mut z) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-/// let places = [[0.0, 90.0], [90.0, 0.0], [100.0, -100.0]];
-/// ellipsoid::to_ecef(Ellipsoid::WGS84, places.each_ref().map(|c| &c[..]), [&mut x, &mut y, &mut z])?;
+/// let places: [&[f64]; 3] = [&[0.0, 90.0], &[90.0, 0.0], &[100.0, -100.0]];
+/// ellipsoid::to_ecef(Ellipsoid::WGS84, places, [&mut x, &mut y, &mut z])?;
 /// assert_eq!((x, y, z[0]), ([0.0, 0.0], [6_378_237.0, 0.0], 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "geodetic2ecef", alias = "lla2ecef")]
 pub fn to_ecef<T: Real>(
     ellipsoid: Ellipsoid<T>,
     places: [&[T]; 3],
@@ -153,21 +156,24 @@ pub fn to_ecef<T: Real>(
     })
 }
 
-/// Earth-centred coordinates (metres) to geodetic latitudes, longitudes (degrees) and heights (metres): [`Ellipsoid::to_geodetic`].
+/// Converts Earth-centred coordinates in metres to geodetic latitudes and longitudes in degrees and heights
+/// in metres, with the bits of [`Ellipsoid::to_geodetic`].
 ///
-/// The points that it treats out of line (near the centre, on the axis, very far) are treated so here, one by one.
+/// Points near the centre, on the axis and very far away take its slower way, one by one.
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`Ecef::new`] refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Ecef::new`] refuses an element. Nothing is written
+/// then.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::ellipsoid};
 /// let (mut lat, mut lon, mut height) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-/// let points = [[0.0, 0.0], [-7e6, 0.0], [0.0, 0.0]];
-/// ellipsoid::to_geodetic(Ellipsoid::WGS84, points.each_ref().map(|c| &c[..]), [&mut lat, &mut lon, &mut height])?;
+/// let points: [&[f64]; 3] = [&[0.0, 0.0], &[-7e6, 0.0], &[0.0, 0.0]];
+/// ellipsoid::to_geodetic(Ellipsoid::WGS84, points, [&mut lat, &mut lon, &mut height])?;
 /// assert_eq!((lat, lon, height[0]), ([0.0, 90.0], [-90.0, 0.0], 621_863.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "ecef2geodetic", alias = "ecef2lla")]
 pub fn to_geodetic<T: Real>(
     ellipsoid: Ellipsoid<T>,
     points: [&[T]; 3],

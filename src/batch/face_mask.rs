@@ -1,8 +1,8 @@
 use crate::Real;
 use crate::math::select;
 
-/// Where a face looks, told by comparisons of numbers as wide as the coordinates: what hangs on it is chosen by masks, many points at a
-/// time, where [`Face::to_local`](crate::cube::Face::to_local) looks it up.
+/// A face as the results of comparisons. They are as wide as the coordinates, so that axes are chosen by
+/// masks, many points at a time; [`Face::to_local`](crate::cube::Face::to_local) looks them up in a table.
 #[derive(Clone, Copy)]
 pub(super) struct FaceMask<T> {
     /// Top or bottom.
@@ -14,7 +14,7 @@ pub(super) struct FaceMask<T> {
 }
 
 impl<T: Real> FaceMask<T> {
-    /// Toward a direction, on a polar face or on a side.
+    /// The face of a direction: top or bottom if `polar`, else a side face.
     #[inline(always)]
     pub(super) fn toward(polar: bool, [x, y, z]: [T; 3]) -> Self {
         let sideways = y.abs() >= x.abs();
@@ -36,7 +36,7 @@ impl<T: Real> FaceMask<T> {
         )
     }
 
-    /// Of a face's number.
+    /// The face with a number.
     #[inline(always)]
     pub(super) fn of(number: T) -> Self {
         let polar = number > T::of(3.5);

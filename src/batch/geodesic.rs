@@ -1,4 +1,4 @@
-//! Distances, azimuths and destinations by any [`Geodesic`] method, your own too.
+//! Computes distances, azimuths and destinations by any [`Geodesic`] method, your own included.
 
 use core::fmt;
 
@@ -30,9 +30,9 @@ impl<T: fmt::Debug + fmt::Display> fmt::Display for InvalidProblem<T> {
 
 impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidProblem<T> {}
 
-/// One of the two problems, by a method: four numbers to three.
+/// The inverse or the direct problem, by one method: from four numbers to three.
 trait Problem<T: Real>: Copy {
-    /// Without a branch, and whether that is the answer.
+    /// Three numbers by the method's fast way, and whether they are the answer.
     fn fast(&self, input: [T; 4]) -> ([T; 3], bool);
 
     /// The answer for numbers that have passed the constructor.
@@ -87,7 +87,7 @@ impl<T: Real, M: Geodesic<T>> Problem<T> for Direct<'_, M> {
     }
 }
 
-/// The answer of [`Problem::fast`], and 1 where it is one.
+/// The numbers of [`Problem::fast`], and 1 where they are the answer.
 struct Fast<P>(P);
 
 impl<T: Real, P: Problem<T>> Kernel<T, 4, 4> for Fast<P> {
@@ -98,7 +98,7 @@ impl<T: Real, P: Problem<T>> Kernel<T, 4, 4> for Fast<P> {
     }
 }
 
-/// Where the answers go, and the problems they belong to: those without a fast answer are solved one by one.
+/// Stores answers. Problems without a fast answer are solved one by one.
 struct Mended<'a, T, P> {
     problem: P,
     index: usize,

@@ -1,4 +1,5 @@
-//! Geodetic latitudes and longitudes to directions and back through [`Shifted`], and latitudes of one kind to another's.
+//! Converts geodetic latitudes and longitudes to directions and back by a [`Shifted`], and latitudes from one
+//! kind to another by a [`Conversion`].
 
 use core::marker::PhantomData;
 
@@ -12,10 +13,12 @@ use crate::latitude::{
 use crate::simd::{CHUNK, Kernel, front, sweep};
 use crate::{InvalidDirection, InvalidLatLon, Latitude, Real, Shifted};
 
-/// Geodetic latitudes and longitudes (degrees) to directions: [`Shifted::to_direction`].
+/// Converts geodetic latitudes and longitudes in degrees to unit vectors on the sphere, with the bits of
+/// [`Shifted::to_direction`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`LatLon::new`](crate::LatLon::new) refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`](crate::LatLon::new) refuses an
+/// element. Nothing is written then.
 ///
 /// ```
 /// use terrella::{Ellipsoid, LatLon, Shift, Shifted, batch::latitude};
@@ -34,10 +37,12 @@ pub fn to_direction<T: Real>(
     corrected_to_direction(&correction, places, directions)
 }
 
-/// Directions to geodetic latitudes and longitudes (degrees): [`Shifted::to_lat_lon`].
+/// Converts vectors of any length to geodetic latitudes and longitudes in degrees, with the bits of
+/// [`Shifted::to_lat_lon`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`Direction::new`](crate::Direction::new) refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Direction::new`](crate::Direction::new) refuses an
+/// element. Nothing is written then.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Shift, Shifted, batch::latitude};
@@ -56,7 +61,7 @@ pub fn to_lat_lon<T: Real>(
     corrected_to_lat_lon(&correction, directions, places)
 }
 
-/// Latitudes up to a limit.
+/// Latitudes whose absolute value is at most a limit.
 struct Latitudes<T>(T);
 
 impl<T: Real> Constructor<T, 1> for Latitudes<T> {
@@ -107,14 +112,15 @@ fn correct<T: Real, A: Angle>(correction: &Correction<T>, from: &[T], to: &mut [
     with_correction!(correction, turn => sweep(Corrected(*turn, PhantomData::<A>), [from], [to]));
 }
 
-/// `copy_from_slice` for as many as both have: no length to fail on.
+/// `copy_from_slice` for as many elements as both slices have; it cannot panic.
 fn copy<T: Real>(from: &[T], to: &mut [T]) {
     for (slot, &value) in to.iter_mut().zip(from) {
         *slot = value;
     }
 }
 
-/// Step by step through the geodetic latitude, so that there are as many loops as corrections and not as pairs of them.
+/// Converts in steps, through the geodetic latitude, so that there is a loop for each correction and not for
+/// each pair of them.
 fn convert<T: Real, A: Angle>(
     conversion: &Conversion<T>,
     values: &[T],
@@ -155,10 +161,11 @@ fn convert<T: Real, A: Angle>(
     )
 }
 
-/// Latitudes of one kind in degrees to those of another: [`Conversion::degrees`].
+/// Converts latitudes in degrees from one kind to another, with the bits of [`Conversion::degrees`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`Conversion::degrees`] refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Conversion::degrees`] refuses an element. Nothing is
+/// written then.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Latitude, batch::latitude, latitude::Conversion};
@@ -176,10 +183,11 @@ pub fn degrees<T: Real>(
     convert::<T, Degrees>(conversion, values, results)
 }
 
-/// Latitudes of one kind in radians to those of another: [`Conversion::radians`].
+/// Converts latitudes in radians from one kind to another, with the bits of [`Conversion::radians`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`Conversion::radians`] refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Conversion::radians`] refuses an element. Nothing is
+/// written then.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Latitude, batch::latitude, latitude::Conversion};

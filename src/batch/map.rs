@@ -1,4 +1,4 @@
-//! Geodetic latitudes and longitudes to points of the cube's faces and back, through a [`CubeMap`].
+//! Converts geodetic latitudes and longitudes to points of the cube's faces, and back, by a [`CubeMap`].
 
 use super::InvalidBatch;
 use super::admit::admit;
@@ -10,10 +10,12 @@ use crate::math::{atan2_degrees, sin_cos_degrees};
 use crate::simd::{CHUNK, Kernel, front, sweep};
 use crate::{InvalidLatLon, Real, Shifted};
 
-/// Geodetic latitudes and longitudes (degrees) to their places on the cube: [`CubeMap::project`].
+/// Projects geodetic latitudes and longitudes in degrees to faces and their coordinates x and y in [−1, 1],
+/// with the bits of [`CubeMap::project`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`LatLon::new`](crate::LatLon::new) refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`](crate::LatLon::new) refuses an
+/// element. Nothing is written then.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -40,7 +42,7 @@ pub fn project<T: Real, P: CubeProjection>(
     })
 }
 
-/// Where to project from, and to.
+/// Projects latitudes and longitudes into faces and points.
 struct ProjectAll<'a, T>(Shifted<T>, [&'a [T]; 2], Faces<&'a mut [Face], [&'a mut [T]; 2]>);
 
 impl<T: Real> ProjectionTask for ProjectAll<'_, T> {
@@ -89,10 +91,12 @@ impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 3, 2> for UnprojectPlace<
     }
 }
 
-/// Places on the cube to geodetic latitudes and longitudes (degrees): [`CubeMap::unproject`].
+/// Converts faces and their coordinates x and y in [−1, 1] to geodetic latitudes and longitudes in degrees,
+/// with the bits of [`CubeMap::unproject`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`FacePoint::new`](crate::cube::FacePoint::new) refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`FacePoint::new`](crate::cube::FacePoint::new)
+/// refuses an element. Nothing is written then.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Vertex};
@@ -117,7 +121,7 @@ pub fn unproject<T: Real, P: CubeProjection>(
     })
 }
 
-/// Where to go back from, and to.
+/// Unprojects faces and points into latitudes and longitudes.
 struct UnprojectAll<'a, T>(Shifted<T>, Faces<&'a [Face], [&'a [T]; 2]>, [&'a mut [T]; 2]);
 
 impl<T: Real> ProjectionTask for UnprojectAll<'_, T> {
@@ -146,7 +150,7 @@ impl<T: Real> ProjectionTask for UnprojectAll<'_, T> {
     }
 }
 
-/// The first elements of each slice, which goes past them.
+/// Takes the first elements off each slice.
 fn next<'a, T>(columns: &mut [&'a [T]; 2], length: usize) -> [&'a [T]; 2] {
     columns.each_mut().map(|column| {
         let (head, rest) = column.split_at_checked(length).unwrap_or_default();

@@ -1,28 +1,38 @@
-//! The functions of the other rooms over slices: as many points at a time as the machine's widest instructions hold, with the same
-//! bits as one by one.
+//! Functions of the other modules over slices: several points at a time, with the same bits as one by one.
 //!
-//! A slice for each component, the results into the caller's slices, nothing allocated. The modules are those of the crate, the
-//! functions are named as the ones they repeat:
+//! Each component of the input is a slice, and each component of the result is written to a slice of the
+//! caller. Nothing is allocated. Modules and functions have the names of those that they repeat:
 //!
 //! | over slices | one by one |
 //! |---|---|
-//! | [`position::to_direction`], [`position::to_lat_lon`] | [`LatLon::to_direction`](crate::LatLon::to_direction), [`Direction::to_lat_lon`](crate::Direction::to_lat_lon) |
-//! | [`latitude::to_direction`], [`latitude::to_lat_lon`] | [`Shifted::to_direction`](crate::Shifted::to_direction), [`Shifted::to_lat_lon`](crate::Shifted::to_lat_lon) |
-//! | [`latitude::degrees`], [`latitude::radians`] | [`Conversion::degrees`](crate::latitude::Conversion::degrees), [`Conversion::radians`](crate::latitude::Conversion::radians) |
-//! | [`ellipsoid::to_ecef`], [`ellipsoid::to_geodetic`] | [`Ellipsoid::to_ecef`](crate::Ellipsoid::to_ecef), [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic) |
-//! | [`geodesic::inverse`], [`geodesic::direct`] | [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse), [`Geodesic::direct`](crate::geodesic::Geodesic::direct) |
-//! | [`cube::project`], [`cube::unproject`] | [`CubeProjection::project`](crate::cube::CubeProjection::project), [`CubeProjection::unproject`](crate::cube::CubeProjection::unproject) |
-//! | [`map::project`], [`map::unproject`] | [`CubeMap::project`](crate::cube::CubeMap::project), [`CubeMap::unproject`](crate::cube::CubeMap::unproject) |
+//! | [`position::to_direction`] | [`LatLon::to_direction`](crate::LatLon::to_direction) |
+//! | [`position::to_lat_lon`] | [`Direction::to_lat_lon`](crate::Direction::to_lat_lon) |
+//! | [`latitude::to_direction`] | [`Shifted::to_direction`](crate::Shifted::to_direction) |
+//! | [`latitude::to_lat_lon`] | [`Shifted::to_lat_lon`](crate::Shifted::to_lat_lon) |
+//! | [`latitude::degrees`] | [`Conversion::degrees`](crate::latitude::Conversion::degrees) |
+//! | [`latitude::radians`] | [`Conversion::radians`](crate::latitude::Conversion::radians) |
+//! | [`ellipsoid::to_ecef`] | [`Ellipsoid::to_ecef`](crate::Ellipsoid::to_ecef) |
+//! | [`ellipsoid::to_geodetic`] | [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic) |
+//! | [`geodesic::inverse`] | [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse) |
+//! | [`geodesic::direct`] | [`Geodesic::direct`](crate::geodesic::Geodesic::direct) |
+//! | [`cube::project`] | [`CubeProjection::project`](crate::cube::CubeProjection::project) |
+//! | [`cube::unproject`] | [`CubeProjection::unproject`](crate::cube::CubeProjection::unproject) |
+//! | [`map::project`] | [`CubeMap::project`](crate::cube::CubeMap::project) |
+//! | [`map::unproject`] | [`CubeMap::unproject`](crate::cube::CubeMap::unproject) |
 //!
-//! What the one-by-one function takes is built from the components as its constructor does it: vectors of any length are normalised,
-//! longitudes wrapped. What the constructor refuses, and slices of unequal lengths, are an [`InvalidBatch`], found before anything is
-//! written. Unit vectors, and longitudes in [−180, 180], are what the fast path takes; others cost about as much more as the
-//! constructor does.
+//! Every element passes the constructor of its type, as in `LatLon::new(lat, lon)`: longitudes are brought
+//! into [−180, 180], and vectors of any length are normalised. A batch is fastest if all longitudes are in
+//! [−180, 180] and all vectors are unit vectors; otherwise it takes longer by about the time of the
+//! constructors.
 //!
-//! A call takes up to 19 kB of stack in `f64`, half of that in `f32` (measured on a Cortex-M).
+//! A batch is refused with [`InvalidBatch`] if slices have unequal lengths, or a constructor refuses an
+//! element. Nothing is written then. ([`geodesic::inverse`] may also find pairs of places without an answer,
+//! after it has written the others.)
 //!
-//! With feature `std` on x86-64, AVX-512 or AVX2 are used where the machine has them; elsewhere the instructions that the crate is
-//! compiled for (SSE2, NEON, wasm's `simd128`).
+//! A call takes up to 19 kB of stack in `f64`, and half of that in `f32` (measured on a Cortex-M).
+//!
+//! On x86-64 with the feature `std`, batches use AVX-512 or AVX2 if the machine has them. Elsewhere they use
+//! the instructions that the crate is compiled for (SSE2, NEON, wasm's `simd128`).
 //!
 //! ```
 //! use terrella::batch::cube;
@@ -46,22 +56,22 @@ pub mod latitude;
 pub mod map;
 pub mod position;
 
-/// Why a batch was refused; nothing was written.
+/// Why a batch was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidBatch<E> {
-    /// Not all slices are as long as the first.
+    /// A slice does not have the length of the first.
     Lengths {
         /// The length of the first slice.
         first: usize,
-        /// The first other length.
+        /// The length of the slice that differs.
         other: usize,
     },
-    /// An element that the constructor of what it belongs to refuses: the first one.
+    /// An element was refused: the first of them.
     Element {
-        /// Its place in the slices.
+        /// The index of the element in the slices.
         index: usize,
-        /// Why it is refused.
+        /// Why it was refused.
         why: E,
     },
 }
@@ -69,7 +79,7 @@ pub enum InvalidBatch<E> {
 impl<E: fmt::Display> fmt::Display for InvalidBatch<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Lengths { first, other } => write!(f, "slices of {first} and {other} elements"),
+            Self::Lengths { first, other } => write!(f, "expected slices of {first} elements, got {other}"),
             Self::Element { index, why } => write!(f, "element {index}: {why}"),
         }
     }
@@ -77,7 +87,7 @@ impl<E: fmt::Display> fmt::Display for InvalidBatch<E> {
 
 impl<E: fmt::Debug + fmt::Display> core::error::Error for InvalidBatch<E> {}
 
-/// Whether all slices are as long as the first.
+/// Returns an error unless all slices have the length of the first.
 pub(crate) fn same_length<E>(first: usize, others: &[usize]) -> Result<(), InvalidBatch<E>> {
     match others.iter().find(|&&other| other != first) {
         Some(&other) => Err(InvalidBatch::Lengths { first, other }),

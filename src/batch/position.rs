@@ -1,4 +1,4 @@
-//! Latitudes and longitudes of the sphere to directions and back.
+//! Converts latitudes and longitudes on the sphere to directions, and back.
 
 use super::InvalidBatch;
 use super::admit::{Constructor, admit};
@@ -59,12 +59,14 @@ impl<T: Real, C: Turn<T>> Kernel<T, 3, 2> for ToLatLon<C> {
     }
 }
 
-/// Of places as [`Places`] keeps them; a correction goes from their latitude to the sphere's.
+/// [`to_direction`] for places that have passed [`Places`]; the correction leads from their latitude to the
+/// sphere's.
 pub(super) fn turn_to_direction<T: Real>(correction: &Correction<T>, places: [&[T]; 2], directions: [&mut [T]; 3]) {
     with_correction!(correction, turn => sweep(ToDirection(*turn), places, directions));
 }
 
-/// Of directions as [`Vectors`] keeps them; a correction goes from the sphere's latitude to that of the result.
+/// [`to_lat_lon`] for directions that have passed [`Vectors`]; the correction leads from the sphere's
+/// latitude to that of the result.
 pub(super) fn turn_to_lat_lon<T: Real>(correction: &Correction<T>, directions: [&[T]; 3], places: [&mut [T]; 2]) {
     with_correction!(correction, turn => sweep(ToLatLon(*turn), directions, places));
 }
@@ -93,10 +95,12 @@ pub(super) fn corrected_to_lat_lon<T: Real>(
     })
 }
 
-/// Latitudes and longitudes of the sphere (degrees) to directions: [`LatLon::to_direction`].
+/// Converts latitudes and longitudes on the sphere, in degrees, to unit vectors, with the bits of
+/// [`LatLon::to_direction`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`LatLon::new`] refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses an element. Nothing is written
+/// then.
 ///
 /// ```
 /// use terrella::batch::position;
@@ -112,10 +116,12 @@ pub fn to_direction<T: Real>(
     corrected_to_direction(&Correction::None, places, directions)
 }
 
-/// Directions to latitudes and longitudes of the sphere (degrees): [`Direction::to_lat_lon`].
+/// Converts vectors of any length to latitudes and longitudes on the sphere, in degrees, with the bits of
+/// [`Direction::to_lat_lon`].
 ///
 /// # Errors
-/// [`InvalidBatch`] for unequal lengths, and for what [`Direction::new`] refuses; nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Direction::new`] refuses an element. Nothing is
+/// written then.
 ///
 /// ```
 /// use terrella::batch::position;

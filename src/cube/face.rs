@@ -5,9 +5,10 @@ use super::{CubeProjection, Tangential};
 use crate::name::unknown;
 use crate::{Direction, Real};
 
-/// A face of the cube, numbered as by Dimitrijević, Lambers & Rančić (Table 4.1).
+/// A face of the cube. The numbers are those of Dimitrijević, Lambers & Rančić (2016), Table 4.1.
 ///
-/// Every face has a local frame (right, up, outward), right-handed and seen from outside:
+/// Every face has a right-handed local frame: right and up as seen from outside, and outward from the centre.
+/// In Earth axes (X toward 0° N 0° E, Y toward 0° N 90° E, Z toward the north pole) it is
 ///
 /// | face | centre | right | up | outward |
 /// |---|---|---|---|---|
@@ -38,7 +39,7 @@ pub enum Face {
 }
 
 impl Face {
-    /// All six, in order.
+    /// All six faces, in the order of their numbers.
     pub const ALL: [Self; 6] = [
         Self::Front,
         Self::Right,
@@ -86,7 +87,7 @@ impl Face {
         }
     }
 
-    /// The face of a whole number that is one's: a select of bytes, many at a time.
+    /// The face with a number in 0 to 5, for a number that is known to be one. The choice vectorises.
     #[inline(always)]
     pub(crate) fn of_number<T: Real>(number: T) -> Self {
         match number.to_byte() {
@@ -99,8 +100,8 @@ impl Face {
         }
     }
 
-    /// Returns the face through which a ray from the centre of the cube leaves: that of the largest
-    /// component. Of equal components y goes before z, and z before x.
+    /// Returns the face through which a ray from the centre of the cube leaves: that of the component with
+    /// the largest absolute value. Of equal components, y goes before z, and z before x.
     ///
     /// ```
     /// use terrella::{Direction, cube::Face};
@@ -113,7 +114,8 @@ impl Face {
         Tangential.face(direction)
     }
 
-    /// The top or bottom, or the side of a longitude: of equal |x| and |y| the axis y.
+    /// The top or bottom face if `polar`, else the side face of the longitude. Where |x| = |y|, it is that of
+    /// the axis y.
     #[inline(always)]
     #[allow(clippy::indexing_slicing)] // eight entries for three bits
     pub(crate) fn of<T: Real>(polar: bool, direction: Direction<T>) -> Self {
@@ -125,7 +127,7 @@ impl Face {
         FACES[usize::from(4 * u8::from(polar) + 2 * u8::from(sideways & !polar) + u8::from(negative)) & 7]
     }
 
-    /// Whether this is the top or the bottom.
+    /// Returns whether this is the top or the bottom face.
     #[must_use]
     #[inline(always)]
     pub const fn is_polar(self) -> bool {
@@ -153,7 +155,7 @@ impl Face {
         self.pick(&TO_EARTH, [right, up, outward])
     }
 
-    /// The components that a table names, or their negatives: for random faces a look-up is quicker than a
+    /// The components that a table names, or their negatives. For random faces, a table is faster than a
     /// branch.
     #[inline(always)]
     #[allow(clippy::indexing_slicing)] // as many entries as there are numbers of that many bits
@@ -226,8 +228,8 @@ impl Face {
     pub const fn corner(self, corner: Corner) -> [(Self, Corner); 3] {
         let (first, second) = corner.edges();
         let (a, b) = (self.neighbour(first), self.neighbour(second));
-        // The corner ends edge `first` on its counter-clockwise side and begins `second`; across an edge the
-        // sense turns round.
+        // Counter-clockwise, edge `first` ends at the corner and edge `second` begins there. On the faces
+        // across them it is the other way round.
         [
             (self, corner),
             (a.face, Corner::beginning(a.edge)),
@@ -236,8 +238,8 @@ impl Face {
     }
 }
 
-/// Which component is right, up and outward for each face: 0, 1, 2 for X, Y, Z, and 4 more for its negative.
-/// The last two rows are none's.
+/// For each face, the components that are right, up and outward: 0, 1, 2 for X, Y, Z, and 4 more for the
+/// negative. The last two rows belong to no face.
 const TO_LOCAL: [[u8; 3]; 8] = [
     [1, 2, 0],
     [4, 2, 1],
@@ -249,7 +251,8 @@ const TO_LOCAL: [[u8; 3]; 8] = [
     [0; 3],
 ];
 
-/// Which of right, up and outward is X, Y and Z.
+/// For each face, the components that are X, Y and Z: 0, 1, 2 for right, up, outward, and 4 more for the
+/// negative.
 const TO_EARTH: [[u8; 3]; 8] = [
     [2, 0, 1],
     [4, 2, 1],
@@ -261,7 +264,7 @@ const TO_EARTH: [[u8; 3]; 8] = [
     [0; 3],
 ];
 
-/// A number of a face that is above 5.
+/// The error for a number above 5, which no face has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidFace(pub u8);
@@ -309,7 +312,7 @@ pub enum Edge {
 }
 
 impl Edge {
-    /// All four, counter-clockwise.
+    /// All four edges, counter-clockwise from x = 1.
     pub const ALL: [Self; 4] = [Self::Right, Self::Up, Self::Left, Self::Down];
 
     /// The edge of a number modulo 4.
@@ -356,7 +359,7 @@ pub enum Corner {
 }
 
 impl Corner {
-    /// All four, counter-clockwise from (1, 1).
+    /// All four corners, counter-clockwise from (1, 1).
     pub const ALL: [Self; 4] = [Self::UpRight, Self::UpLeft, Self::DownLeft, Self::DownRight];
 
     /// The corner of a number modulo 4.

@@ -34,7 +34,7 @@ impl<T: Real> FacePoint<T> {
         }
     }
 
-    /// For coordinates known to be in range.
+    /// Creates a point with coordinates known to be in range.
     #[inline(always)]
     pub(crate) const fn within(face: Face, x: T, y: T) -> Self {
         Self { face, x, y }
@@ -62,7 +62,7 @@ impl<T: Real> FacePoint<T> {
     }
 }
 
-/// Coordinates of which one is outside [−1, 1] or NaN.
+/// The error for coordinates of which at least one is outside [−1, 1] or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidFacePoint<T> {

@@ -2,9 +2,14 @@ use super::{CubeProjection, Face, FacePoint, ProjectionTask};
 use crate::latitude::UnsupportedFlattening;
 use crate::{Ellipsoid, LatLon, Real, Shift, Shifted};
 
-/// Geodetic latitude and longitude on an ellipsoid to a point of the cube and back.
+/// Converts geodetic latitude and longitude on an ellipsoid to a point of the cube, and back.
 ///
-/// Round trip on WGS84 within 5 nm (`f64`), 3 m (`f32`), for every projection and shift.
+/// A map consists of three parts: an ellipsoid, the [`Shift`] that leads from the ellipsoid to the sphere,
+/// and a [`CubeProjection`] of the sphere. With the authalic shift, an equal-area projection of the sphere is
+/// an equal-area map of the ellipsoid.
+///
+/// A round trip on WGS 84 is off by at most 5 nm (`f64`) or 3 m (`f32`), for every projection except
+/// [`Cobe`](super::Cobe) and for every shift. [`batch::map`](crate::batch::map) converts whole slices.
 ///
 /// ```
 /// use terrella::{Ellipsoid, LatLon, Shift};
@@ -17,6 +22,7 @@ use crate::{Ellipsoid, LatLon, Real, Shift, Shifted};
 /// assert!((map.unproject(p).lat() - oslo.lat()).abs() < 1e-13);
 /// # Ok::<(), terrella::latitude::UnsupportedFlattening<f64>>(())
 /// ```
+#[doc(alias("cube map", "cubemap", "cubesphere", "cubed sphere"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CubeMap<T, P> {
@@ -25,10 +31,10 @@ pub struct CubeMap<T, P> {
 }
 
 impl<T: Real, P: CubeProjection> CubeMap<T, P> {
-    /// From an ellipsoid, the shift that lays it on the sphere, and the sphere's projection.
+    /// Creates the map of an ellipsoid, from the shift to the sphere and the projection of the sphere.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] if the latitude's formula does not hold for this ellipsoid.
+    /// [`UnsupportedFlattening`] if the flattening of the ellipsoid is out of the range of the shift.
     pub fn new(ellipsoid: Ellipsoid<T>, shift: Shift, projection: P) -> Result<Self, UnsupportedFlattening<T>> {
         Ok(Self {
             shifted: Shifted::new(ellipsoid, shift)?,
@@ -36,26 +42,27 @@ impl<T: Real, P: CubeProjection> CubeMap<T, P> {
         })
     }
 
-    /// The step from the ellipsoid to the sphere.
+    /// Returns the step from the ellipsoid to the sphere.
     #[must_use]
     pub fn shifted(&self) -> Shifted<T> {
         self.shifted
     }
 
-    /// The projection of the sphere.
+    /// Returns the projection of the sphere.
     #[must_use]
     pub fn projection(&self) -> P {
         self.projection
     }
 
-    /// From the ellipsoid to the cube.
+    /// Projects a geodetic latitude and longitude to a point of the cube.
     #[must_use]
     #[inline]
     pub fn project(&self, position: LatLon<T>) -> FacePoint<T> {
         self.projection.with(Project(&self.shifted, position))
     }
 
-    /// From the cube to the ellipsoid.
+    /// Returns the geodetic latitude and longitude of a point of the cube: the inverse of
+    /// [`project`](Self::project).
     #[must_use]
     #[inline]
     pub fn unproject(&self, point: FacePoint<T>) -> LatLon<T> {

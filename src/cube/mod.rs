@@ -1,4 +1,12 @@
-//! The cube: its [`Face`]s, points on them, and every projection of the sphere onto it.
+//! The cube around the sphere: its [`Face`]s, points on them, and the projections of the sphere onto them.
+//!
+//! * [`CubeMap`] converts geodetic latitude and longitude on an ellipsoid to a [`FacePoint`], and back.
+//! * Each projection is a type that implements [`CubeProjection`]; its page says when to take it.
+//!   [`Projection`] is the list of them, to choose one at run time, and [`Profile`] holds their figures.
+//! * [`Numbering`] converts to the faces and axes of S2, OpenGL and FITS.
+//!
+//! If you have no reason for another, take [`Balanced`] for the least texture memory, [`Vertex`] for equal
+//! areas, [`S2Quadratic`] or [`Algebraic`] for speed.
 
 mod face;
 mod face_point;

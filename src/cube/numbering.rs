@@ -17,8 +17,8 @@ pub enum Numbering {
 }
 
 impl Numbering {
-    /// Face by face, front first: the number, and the quarter turns from this crate's axes to the other's
-    /// (counter-clockwise).
+    /// The number of a face, and the counter-clockwise quarter turns from this crate's axes to the other
+    /// system's.
     const fn entry(self, face: Face) -> (u8, u8) {
         match (self, face) {
             (Self::S2, Face::Front) => (0, 0),
@@ -42,20 +42,20 @@ impl Numbering {
         }
     }
 
-    /// The quarter turns from this crate's axes to the other's, counter-clockwise.
+    /// The counter-clockwise quarter turns from this crate's axes to the other system's.
     #[inline(always)]
     pub(crate) const fn turns(self, face: Face) -> u8 {
         self.entry(face).1
     }
 
-    /// Column and row by this numbering's axes, of squares of which the last is `last`.
+    /// The column and row of a square along this numbering's axes, where the last column and row is `last`.
     #[inline(always)]
     pub(crate) const fn to_square(self, face: Face, last: u32, square: [u32; 2]) -> [u32; 2] {
         let [i, j] = turned_square(square, last, self.turns(face));
         [i, if matches!(self, Self::OpenGl) { last - j } else { j }]
     }
 
-    /// Column and row by this crate's axes.
+    /// The column and row of a square along this crate's axes: the inverse of `to_square`.
     #[inline(always)]
     pub(crate) const fn square_of(self, face: Face, last: u32, [i, j]: [u32; 2]) -> [u32; 2] {
         let up = if matches!(self, Self::OpenGl) { last - j } else { j };
@@ -90,8 +90,8 @@ impl Numbering {
         Err(InvalidFace(number))
     }
 
-    /// Returns a point in this numbering: the number of the face, and the coordinates in [−1, 1] along its
-    /// axes.
+    /// Converts a point to this numbering. Returns the number of the face, and the coordinates in [−1, 1]
+    /// along its axes.
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint, Numbering};
@@ -106,8 +106,8 @@ impl Numbering {
         (number, x, if matches!(self, Self::OpenGl) { -y } else { y })
     }
 
-    /// Returns the point of a face's number and of coordinates in [−1, 1] along its axes, both of this
-    /// numbering.
+    /// Converts a point from this numbering: the number of the face, and the coordinates in [−1, 1] along its
+    /// axes.
     ///
     /// # Errors
     /// [`InvalidNumbered`] for a number above 5 or a coordinate outside [−1, 1].
@@ -119,7 +119,7 @@ impl Numbering {
     }
 }
 
-/// (x, y) turned counter-clockwise by quarter circles, of which no numbering has two.
+/// (x, y) turned counter-clockwise by quarter circles: 0, 1 or 3 of them, because no numbering needs 2.
 fn turned<T: Real>(x: T, y: T, quarters: u8) -> (T, T) {
     match quarters {
         1 => (-y, x),
@@ -128,7 +128,7 @@ fn turned<T: Real>(x: T, y: T, quarters: u8) -> (T, T) {
     }
 }
 
-/// A square's column and row, turned alike.
+/// The column and row of a square, turned in the same way.
 const fn turned_square([i, j]: [u32; 2], last: u32, quarters: u8) -> [u32; 2] {
     match quarters {
         1 => [last - j, i],
@@ -137,7 +137,7 @@ const fn turned_square([i, j]: [u32; 2], last: u32, quarters: u8) -> [u32; 2] {
     }
 }
 
-/// Why [`Numbering::from_point`] refused.
+/// Why [`Numbering::from_point`] refused a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidNumbered<T> {

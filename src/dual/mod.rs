@@ -41,13 +41,14 @@ mod operators;
 /// assert_eq!(logistic(x).slopes(), [0.25]);
 /// ```
 ///
-/// The value is the one that the function of `T` returns: with num-traits' feature `std` that of the platform's
-/// mathematical library. A derivative is NaN where the function has no value, and 0 by a variable that the argument
-/// does not depend on. Steps (`floor`, `round`, `signum`) have derivative 0. `max` and `min` return the chosen number
-/// with its derivatives. At an infinite argument, and at the zero of `hypot` and `atan2`, a derivative may be NaN.
+/// The value is the one that the function of `T` returns: with num-traits' feature `std` that of the
+/// platform's mathematical library. A derivative is NaN where the function has no value, and 0 by a variable
+/// that the argument does not depend on. Steps (`floor`, `round`, `signum`) have derivative 0. `max` and
+/// `min` return the chosen number with its derivatives. At an infinite argument, and at the zero of `hypot`
+/// and `atan2`, a derivative may be NaN.
 ///
-/// The largest error of a derivative of these functions is 2.1 ε (`f64`) and 1.7 ε (`f32`) of the derivative, with
-/// glibc's functions, against derivatives of 25 digits at 395 places.
+/// The largest error of a derivative of these functions is 2.1 ε (`f64`) and 1.7 ε (`f32`) of the derivative,
+/// with glibc's functions, against derivatives of 25 digits at 395 places.
 #[doc(alias = "autodiff")]
 #[doc(alias = "derivative")]
 #[doc(alias = "gradient")]

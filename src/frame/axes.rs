@@ -106,7 +106,7 @@ impl<T: fmt::Display> fmt::Display for Aer<T> {
     }
 }
 
-/// A vector east, north and up of which a component is infinite or not a number.
+/// The error for a vector of which a component is infinite or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidEnu<T> {

@@ -17,8 +17,8 @@ use crate::{Direction, Ecef, Ellipsoid, Geodetic, InvalidEcef, Real};
 /// Up is the outward normal of the ellipsoid. At a pole, north and east belong to the meridian of the
 /// origin's longitude.
 ///
-/// Positions come as [`Geodetic`] or as [`Ecef`], and go back to either. The way through [`Geodetic`] loses
-/// no digits to the size of the Earth: prefer it where positions are at hand as such.
+/// The frame converts positions given as [`Geodetic`] or as [`Ecef`], and back to either. Prefer [`Geodetic`]
+/// if you have it: the size of the Earth costs no digits then.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Geodetic, LatLon, LocalFrame};
@@ -102,8 +102,8 @@ impl<T: Real> LocalFrame<T> {
         Direction::within(self.cos * self.cos_lon, self.cos * self.sin_lon, self.sin)
     }
 
-    /// Rotates a vector, such as a velocity or a line of sight, from Earth axes to this frame's. The origin
-    /// plays no part.
+    /// Rotates a vector, such as a velocity or a line of sight, from Earth axes to this frame's. The position
+    /// of the origin is not subtracted.
     ///
     /// Worst error 5·10⁻¹⁶ (`f64`), 2.5·10⁻⁷ (`f32`) of the vector's length.
     ///
@@ -144,8 +144,8 @@ impl<T: Real> LocalFrame<T> {
 
     /// Returns a point of Earth axes relative to the origin, as east, north, up.
     ///
-    /// Worst error on the Earth: that of the two positions, 7 nm (`f64`), 2 m (`f32`). For a position that is
-    /// at hand as [`Geodetic`], [`geodetic_to_enu`](Self::geodetic_to_enu) has less.
+    /// Worst error on the Earth: that of the two positions, 7 nm (`f64`), 2 m (`f32`). If you have the
+    /// position as [`Geodetic`], [`geodetic_to_enu`](Self::geodetic_to_enu) has a smaller error.
     #[doc(alias = "ecef2enu")]
     #[must_use]
     #[inline]
@@ -173,7 +173,7 @@ impl<T: Real> LocalFrame<T> {
         self.to_enu(point).into()
     }
 
-    /// Returns the point, in Earth axes, that is so far east, north and up of the origin.
+    /// Returns the point, in Earth axes, at this distance east, north and up of the origin.
     ///
     /// # Errors
     /// [`InvalidEcef`] if the point is not finite.
@@ -253,7 +253,7 @@ impl<T: Real> LocalFrame<T> {
     }
 }
 
-/// The longitude difference in [−180, 180]; across ±180 it is not rounded at the size of 360.
+/// The difference of two longitudes in [−180, 180]. Across ±180, no sum as large as 360 is rounded.
 #[inline(always)]
 pub(crate) fn turn<T: Real>(from: T, to: T) -> T {
     let straight = to - from;

@@ -22,7 +22,8 @@ use crate::{Geodetic, LatLon, Real};
 /// let drone = Enu { east: 120.0, north: 0.001, up: 60.0 };
 /// let offset = frame.enu_to_offset(drone)?;
 /// let back = frame.offset_to_enu(offset);
-/// assert!((back.east - 120.0).abs() < 1e-5 && (back.north - 0.001).abs() < 1e-5 && (back.up - 60.0).abs() < 1e-5);
+/// assert!((back.east - 120.0).abs() < 1e-5 && (back.north - 0.001).abs() < 1e-5);
+/// assert!((back.up - 60.0).abs() < 1e-5);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,10 +38,10 @@ pub struct GeodeticOffset<T = f64> {
     pub height: T,
 }
 
-/// A number and what its rounding lost.
+/// A number and its rounding error.
 type Long<T> = (T, T);
 
-/// Latitude and longitude from an origin in degrees, and height, each with what its rounding lost.
+/// Latitude and longitude from an origin in degrees, and height, each with its rounding error.
 #[derive(Clone, Copy)]
 pub(super) struct LongOffset<T> {
     pub(super) lat: Long<T>,
@@ -49,11 +50,11 @@ pub(super) struct LongOffset<T> {
 }
 
 impl<T: Real> LocalFrame<T> {
-    /// Returns the geodetic position that is so far east, north and up of the origin. It is computed without
-    /// Earth axes, whose rounding is that of the Earth's radius.
+    /// Returns the geodetic position at this distance east, north and up of the origin. It is computed
+    /// without Earth axes, whose rounding is that of the Earth's radius.
     ///
     /// Worst error 4·10⁻¹⁶ (`f64`), 7·10⁻⁸ (`f32`) of the distance: within 10 km on the Earth, 2 pm and 0.25
-    /// mm. To that comes the rounding of the result to the scalar, up to 0.8 nm (`f64`), 0.42 m (`f32`) of
+    /// mm. The rounding of the result to the scalar adds up to 0.8 nm (`f64`), 0.42 m (`f32`) of
     /// latitude and twice as much of longitude; [`enu_to_offset`](Self::enu_to_offset) returns the difference
     /// from the origin, without that rounding.
     ///
@@ -113,16 +114,16 @@ impl<T: Real> LocalFrame<T> {
     /// [`Self::enu_to_geodetic`] from azimuth, elevation and range.
     ///
     /// # Errors
-    /// [`InvalidEnu`] if azimuth, elevation or range is infinite or NaN, with the components that come of
-    /// them.
+    /// [`InvalidEnu`] if azimuth, elevation or range is infinite or NaN. It carries the components east,
+    /// north and up that follow from them.
     #[doc(alias = "aer2geodetic")]
     #[inline]
     pub fn aer_to_geodetic(&self, aer: Aer<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
         self.enu_to_geodetic(aer.into())
     }
 
-    /// Returns the position that is so far east, north and up of the origin, as a difference from the origin:
-    /// [`enu_to_geodetic`](Self::enu_to_geodetic) without the rounding of a latitude and a longitude.
+    /// Returns the position at this distance east, north and up of the origin, as a difference from the
+    /// origin: [`enu_to_geodetic`](Self::enu_to_geodetic) without the rounding of a latitude and a longitude.
     ///
     /// Worst error 6·10⁻¹⁶ (`f64`), 1.7·10⁻⁷ (`f32`) of the distance, at any distance. It is the rounding of
     /// the three numbers; a difference of longitude near 180°, next to a pole, has the largest. Vectors
@@ -205,8 +206,7 @@ impl<T: Real> LocalFrame<T> {
         }
     }
 
-    /// For points of outer space and of the Earth's inside, of which the way through Earth axes keeps as
-    /// much.
+    /// For points far out in space and deep inside the Earth, where the way through Earth axes is as exact.
     #[cold]
     #[inline(never)]
     fn through_earth_axes(&self, enu: Enu<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
@@ -215,8 +215,8 @@ impl<T: Real> LocalFrame<T> {
         Ok(self.ellipsoid.to_geodetic(ecef))
     }
 
-    /// The offset of a point; none within half of a of the Earth's middle or of a centre of curvature,
-    /// farther than 1000 a, and where a component is not finite.
+    /// The offset of a point. There is none within a/2 of the Earth's centre or of a centre of curvature,
+    /// farther away than 1000 a, and where a component is not finite.
     #[inline(always)]
     fn long_offset(&self, Enu { east, north, up }: Enu<T>) -> Option<LongOffset<T>> {
         let (zero, one) = (T::ZERO, T::ONE);
@@ -329,7 +329,7 @@ fn sine_and_versine<T: Real>((angle, lost): Long<T>) -> (Long<T>, Long<T>) {
     (long_product(twice(sin), cos), long_product(twice(sin), sin))
 }
 
-/// Where a number leaves the scalar's range, nothing is known of what it lost.
+/// Where a number leaves the scalar's range, its rounding error is not known.
 #[inline(always)]
 fn rounded<T: Real>((x, lost): Long<T>) -> T {
     x + select(lost.is_finite(), lost, T::ZERO)
@@ -342,7 +342,7 @@ fn keeps_rests<T: Real>() -> bool {
     T::terms(0, 1) == 1
 }
 
-/// Sine and cosine of an angle in degrees, and what their rounding lost.
+/// Sine and cosine of an angle in degrees, with their rounding errors.
 #[inline(always)]
 pub(super) fn long_sin_cos<T: Real>(angle: T) -> [(T, T); 2] {
     if keeps_rests::<T>() {

@@ -32,7 +32,7 @@ use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[doc(alias = "orthodrome", alias = "spherical")]
+#[doc(alias = "orthodrome", alias = "spherical", alias = "great circle")]
 pub struct GreatCircle<T> {
     radius: T,
 }

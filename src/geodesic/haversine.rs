@@ -4,7 +4,7 @@ use super::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse};
 use crate::math::{atan2, hypot, min, sin_cos_degrees};
 use crate::{Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
-/// The great circle by the haversine formula, as most programs have it: to reproduce their figures.
+/// The great circle by the haversine formula, as most programs compute it. Use it to reproduce their figures.
 ///
 /// sin²(σ/2) = sin²(Δφ/2) + cos φ₁ cos φ₂ sin²(Δλ/2), clamped to 1 (Sinnott, 1984). The formula is good
 /// between neighbours. Near the antipode 1 − sin²(σ/2) is lost to rounding, and with it half of the digits.

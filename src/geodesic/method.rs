@@ -35,7 +35,8 @@ macro_rules! methods {
         #[non_exhaustive]
         pub enum Method {
             $(
-                #[doc = concat!("[`", stringify!($variant), "`](super::", stringify!($variant), "). Name: `", $name, "`.")]
+                #[doc = concat!("[`", stringify!($variant), "`](super::", stringify!($variant), ").")]
+                #[doc = concat!("Name: `", $name, "`.")]
                 $variant,
             )*
         }

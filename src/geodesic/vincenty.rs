@@ -44,7 +44,7 @@ fn fixed<T: Real>() -> usize {
 /// | worst error of the results, f ≤ 1/293 | `f64` | `f32` |
 /// |---|---|---|
 /// | distance | 0.1 mm; 1e-11 of the distance and 5 nm | 7 m; 7e-7 of the distance |
-/// | azimuths × the shorter of distance and reduced length | 0.1 mm; 1e-11 of the distance and 5 nm | 7 m; 7e-7 of the distance |
+/// | azimuths × the shorter of distance and reduced length | as the distance | as the distance |
 /// | position of lines to 20 000 km | 0.1 mm | 7 m |
 /// | position of longer lines, and their azimuth × radius of the parallel | 6e-12 of the length | 3.5e-7 |
 ///

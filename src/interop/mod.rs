@@ -1,4 +1,4 @@
-//! Optional conversions to and from other crates: nothing here changes a result.
+//! Optional conversions to and from the types of other crates. They change no result of this crate.
 
 #[cfg(feature = "geo-types")]
 mod geo_types;

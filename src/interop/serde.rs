@@ -1,4 +1,4 @@
-//! Deserialisation through the same doors as `new`: what a constructor refuses is refused here.
+//! Deserialisation through the constructors: what `new` refuses is refused here, with the same message.
 
 use core::fmt;
 use core::marker::PhantomData;

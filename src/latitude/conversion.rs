@@ -5,17 +5,27 @@ use super::{Latitude, Shift, UnsupportedFlattening};
 use crate::math::{gudermannian, inverse_gudermannian, sin_cos, sin_cos_degrees};
 use crate::{Ellipsoid, Real};
 
-/// From one latitude to another, as angles.
+/// Converts an angle from one kind of latitude to another, on one ellipsoid.
 ///
-/// Worst error for −1/150 ≤ f ≤ 1/10, in radians: 1.6e-16 (`f32`: 8.2e-8) from the geodetic latitude, 3.3e-16 (8.5e-8) to it, 5e-16 (1.7e-7) between two
-/// others, 7e-16 (3.5e-7) from the isometric, whose e^ψ is rounded; and full relative precision near the equator. The isometric latitude is dimensionless,
-/// whether the other is in degrees or in radians.
+/// Angles are in degrees ([`degrees`](Self::degrees)) or in radians ([`radians`](Self::radians)). The
+/// isometric latitude has no unit, and is the same number for both functions.
+///
+/// | worst error for −1/150 ≤ f ≤ 1/10, in radians | `f64` | `f32` |
+/// |---|---|---|
+/// | from the geodetic latitude | 1.6e-16 | 8.2e-8 |
+/// | to the geodetic latitude | 3.3e-16 | 8.5e-8 |
+/// | between two others | 5e-16 | 1.7e-7 |
+/// | from the isometric latitude, whose e^ψ is rounded | 7e-16 | 3.5e-7 |
+///
+/// Near the equator, the relative precision is full.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Latitude, latitude::Conversion};
 /// let authalic = Conversion::new(Ellipsoid::WGS84, Latitude::Geodetic, Latitude::Authalic).unwrap();
 /// assert!((authalic.degrees(45.0).unwrap() - 44.871_702_87_f64).abs() < 1e-8);
 /// ```
+#[doc(alias("AuxLatitude", "geodetic2authalic", "geodetic2conformal", "geodetic2isometric"))]
+#[doc(alias("geodetic2geocentric", "geodetic2parametric", "geodetic2rectifying"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Conversion<T> {
@@ -25,7 +35,7 @@ pub struct Conversion<T> {
     from_geodetic: Correction<T>,
 }
 
-/// The shift with which a latitude starts: the isometric latitude is a function of the conformal.
+/// The shift that computes a latitude. The isometric latitude is a function of the conformal one.
 fn angle_of(latitude: Latitude) -> Shift {
     match latitude {
         Latitude::Geodetic => Shift::Geodetic,
@@ -38,10 +48,11 @@ fn angle_of(latitude: Latitude) -> Shift {
 }
 
 impl<T: Real> Conversion<T> {
-    /// Between two latitudes on an ellipsoid.
+    /// Creates the conversion from one latitude to another on an ellipsoid.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] if the latitude's formula does not hold for this ellipsoid.
+    /// [`UnsupportedFlattening`] if the flattening is out of the range of one of the two latitudes. From a
+    /// latitude to itself, and between the conformal and the isometric one, every ellipsoid is accepted.
     pub fn new(ellipsoid: Ellipsoid<T>, from: Latitude, to: Latitude) -> Result<Self, UnsupportedFlattening<T>> {
         let (start, end) = (angle_of(from), angle_of(to));
         let same = start == end;
@@ -61,19 +72,24 @@ impl<T: Real> Conversion<T> {
         })
     }
 
-    /// Converts degrees to degrees.
+    /// Converts a latitude in degrees, and returns degrees.
+    ///
+    /// To the isometric latitude, it returns the number ψ, infinite at the poles; from it, it takes any ψ.
     ///
     /// # Errors
-    /// [`InvalidLatitude`] for NaN, and for an angle outside [−90, 90].
+    /// [`InvalidLatitude`] if the angle is outside [−90, 90] or NaN.
     #[inline]
     pub fn degrees(&self, value: T) -> Result<T, InvalidLatitude<T>> {
         self.convert::<Degrees>(value)
     }
 
-    /// Converts radians to radians.
+    /// Converts a latitude in radians, and returns radians.
+    ///
+    /// To the isometric latitude, it returns the number ψ, infinite at the poles; from it, it takes any ψ.
     ///
     /// # Errors
-    /// [`InvalidLatitude`] for NaN, and for an angle outside [−π/2, π/2] (as far as the scalar can tell).
+    /// [`InvalidLatitude`] if the angle is outside [−π/2, π/2] or NaN; π/2 stands for the number of the
+    /// scalar nearest to it.
     #[inline]
     pub fn radians(&self, value: T) -> Result<T, InvalidLatitude<T>> {
         self.convert::<Radians>(value)
@@ -93,7 +109,7 @@ impl<T: Real> Conversion<T> {
         } else {
             value
         };
-        // No sine for a correction that is none.
+        // Without a correction, no sine is computed.
         let corrected = |value: T, correction: &Correction<T>| match correction {
             Correction::None => value,
             _ => corrected::<T, A>(value, correction),
@@ -106,7 +122,7 @@ impl<T: Real> Conversion<T> {
         })
     }
 
-    /// The largest value that may be converted.
+    /// The largest absolute value that is accepted.
     #[inline(always)]
     pub(crate) fn limit<A: Angle>(&self) -> T {
         if self.from == Latitude::Isometric {
@@ -116,12 +132,12 @@ impl<T: Real> Conversion<T> {
         }
     }
 
-    /// From which latitude, to which.
+    /// The latitudes of argument and result.
     pub(crate) fn ends(&self) -> [Latitude; 2] {
         [self.from, self.to]
     }
 
-    /// To the geodetic latitude, and from it.
+    /// The corrections to the geodetic latitude, and from it.
     pub(crate) fn corrections(&self) -> [Correction<T>; 2] {
         [self.to_geodetic, self.from_geodetic]
     }
@@ -177,13 +193,13 @@ impl Angle for Radians {
     }
 }
 
-/// The other latitude that belongs to a correction.
+/// The latitude after a correction.
 #[inline(always)]
 pub(crate) fn corrected<T: Real, A: Angle>(value: T, correction: &impl Turn<T>) -> T {
     (value + correction.angle(A::sin_cos(value + value)) * A::radian()).copysign(value)
 }
 
-/// The isometric latitude of a geodetic one, with the correction to the conformal.
+/// The isometric latitude of a geodetic one; `correction` leads from there to the conformal latitude.
 #[inline(always)]
 pub(crate) fn isometric<T: Real, A: Angle>(geodetic: T, correction: &impl Turn<T>) -> T {
     inverse_gudermannian(correction.turn(A::sin_cos(geodetic))).copysign(geodetic)
@@ -195,14 +211,14 @@ pub(crate) fn conformal<T: Real, A: Angle>(isometric: T) -> T {
     gudermannian(isometric) * A::radian()
 }
 
-/// A number that is no latitude of the kind that was to be converted.
+/// The error for a number that is not a latitude: outside the range between the poles, or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidLatitude<T>(pub T);
 
 impl<T: fmt::Debug> fmt::Display for InvalidLatitude<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?} is no latitude between the poles", self.0)
+        write!(f, "latitude {:?} is not between the poles", self.0)
     }
 }
 

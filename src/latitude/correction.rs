@@ -2,26 +2,26 @@ use super::{Shift, UnsupportedFlattening};
 use crate::math::{Polynomial, atan2, latitude as series, sin_cos_small};
 use crate::{Ellipsoid, Real};
 
-/// The small angle between two latitudes, as a function of the first.
+/// The small difference between two latitudes, as a function of the first.
 ///
-/// A latitude is only ever changed by adding this angle or turning by it, so that its own rounding hardly counts and a tiny
-/// latitude keeps its relative precision.
+/// A latitude is changed by adding this angle, or by a rotation through it. So the rounding of the correction
+/// hardly counts, and a tiny latitude keeps its relative precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) enum Correction<T> {
-    /// Zero.
+    /// Zero: both latitudes are the same.
     None,
-    /// The latitudes whose tangents have a fixed ratio.
+    /// Between latitudes whose tangents have a fixed ratio.
     Tangent(Tangent<T, false>),
-    /// The same, the ratio being nearly 1.
+    /// The same for a ratio near 1.
     Near(Tangent<T, true>),
-    /// A series for the Earth's ellipsoids.
+    /// A short series, for the Earth's ellipsoids.
     Short(SineSeries<T, true>),
-    /// A series for any ellipsoid.
+    /// A series of full length, for any ellipsoid.
     Long(SineSeries<T, false>),
 }
 
-/// Evaluates an expression with the kind of correction that there is: a loop chooses once.
+/// Evaluates an expression with the correction as its own type, so that a loop chooses the kind once.
 macro_rules! with_correction {
     ($correction:expr, $turn:ident => $result:expr) => {
         match $correction {
@@ -40,10 +40,10 @@ pub(crate) use with_correction;
 
 /// A kind of [`Correction`].
 pub(crate) trait Turn<T: Real>: Copy {
-    /// The angle in radians, from sine and cosine of twice the latitude.
+    /// The difference in radians, from the sine and cosine of twice the latitude.
     fn angle(&self, double: (T, T)) -> T;
 
-    /// Sine and cosine of the other latitude from those of the first.
+    /// The sine and cosine of the second latitude, from those of the first.
     fn turn(&self, latitude: (T, T)) -> (T, T);
 }
 
@@ -80,13 +80,14 @@ impl<T: Real> Turn<T> for Unturned {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Tangent<T, const NEAR: bool>(T);
 
-/// atan t = t + t³p(t²) for |t| ≤ 0.0201: the next term is 1e-18 of t (`f64`), 1e-11 (`f32`).
+/// atan t = t + t³p(t²) for |t| ≤ 0.0201: the next term is 1e-18 of t (`f64`), 1e-11 of t (`f32`).
 const SMALL_ATAN: Polynomial<4, 2> = Polynomial {
     f64: [-1.0 / 3.0, 1.0 / 5.0, -1.0 / 7.0, 1.0 / 9.0],
     f32: [-1.0 / 3.0, 1.0 / 5.0],
 };
 
-/// 1 − 1/√(1 + t²) = t²p(t²), the versed sine of the same angle: the next term is 3e-18 (`f64`), 2e-11 (`f32`).
+/// 1 − 1/√(1 + t²) = t²p(t²), the versed sine of the same angle: the next term is 3e-18 (`f64`), 2e-11
+/// (`f32`).
 const SMALL_VERSINE: Polynomial<4, 2> = Polynomial {
     f64: [1.0 / 2.0, -3.0 / 8.0, 5.0 / 16.0, -35.0 / 128.0],
     f32: [1.0 / 2.0, -3.0 / 8.0],
@@ -121,12 +122,13 @@ impl<T: Real, const NEAR: bool> Turn<T> for Tangent<T, NEAR> {
     }
 }
 
-/// Σ cₖ sin 2kx; `SHORT` where the flattening is so small that the first terms are enough.
+/// Σ cₖ sin 2kx. `SHORT`: the flattening is so small that the first terms are enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct SineSeries<T, const SHORT: bool>([T; series::ORDER.0]);
 
-/// Terms that reach rounding for |n| ≤ 0.0018, the Earth's ellipsoids: the next one is at most 2e-17 rad (3e-9 in `f32`).
+/// The number of terms that reaches rounding for |n| ≤ 0.0018, the Earth's ellipsoids: the next term is at
+/// most 2e-17 rad (`f32`: 3e-9).
 const EARTH: (usize, usize) = (6, 3);
 
 impl<T: Real, const SHORT: bool> Turn<T> for SineSeries<T, SHORT> {
@@ -143,7 +145,7 @@ impl<T: Real, const SHORT: bool> Turn<T> for SineSeries<T, SHORT> {
     }
 }
 
-/// The ellipsoid, if the formula of a shift holds for it.
+/// Returns the ellipsoid if the formula of a shift is accurate on it.
 pub(crate) fn supported<T: Real>(
     ellipsoid: Ellipsoid<T>,
     shift: Shift,
@@ -151,7 +153,7 @@ pub(crate) fn supported<T: Real>(
     let f = ellipsoid.f();
     let holds = match shift {
         Shift::Geodetic => true,
-        // Beyond it is no small angle, and loses digits.
+        // Beyond, the correction is not a small angle, and digits are lost.
         Shift::Geocentric | Shift::Parametric => f >= -T::ONE && f <= T::of(0.5),
         // 1/19, and room for its rounding.
         Shift::Authalic | Shift::Conformal | Shift::Rectifying => ellipsoid.n().abs() <= T::of(0.052_632),
@@ -164,7 +166,8 @@ pub(crate) fn supported<T: Real>(
 }
 
 impl<T: Real> Correction<T> {
-    /// From the geodetic to the shifted latitude, on an ellipsoid known to be [`supported`].
+    /// The correction from the geodetic latitude to that of a shift, on an ellipsoid known to be
+    /// [`supported`].
     pub fn to_shifted(ellipsoid: Ellipsoid<T>, shift: Shift) -> Self {
         match shift {
             Shift::Geodetic => Self::None,
@@ -176,7 +179,8 @@ impl<T: Real> Correction<T> {
         }
     }
 
-    /// From the shifted to the geodetic latitude, on an ellipsoid known to be [`supported`].
+    /// The correction from the latitude of a shift to the geodetic one, on an ellipsoid known to be
+    /// [`supported`].
     pub fn to_geodetic(ellipsoid: Ellipsoid<T>, shift: Shift) -> Self {
         match shift {
             Shift::Geodetic => Self::None,
@@ -188,17 +192,19 @@ impl<T: Real> Correction<T> {
         }
     }
 
-    /// Bounds over all latitudes: of the angle in radians, and below and above of the other latitude's derivative by the first and of the
-    /// ratio of their cosines.
+    /// Bounds over all latitudes: the largest angle in radians; and a lower and an upper bound that hold both
+    /// for the derivative of the second latitude by the first and for the ratio of their cosines.
     ///
-    /// For a ratio of tangents both vary between it and its inverse. For δ(x) = Σ cₖ sin 2kx the derivative is within Σ 2k|cₖ| of 1, and so is
-    /// cos(x + δ)/cos x = cos δ − sin δ tan x but for δ²/2, since |sin 2kx tan x| = |sin 2kx/sin 2x|·2 sin² x ≤ 2k.
+    /// If the tangents have a fixed ratio, both lie between that ratio and its inverse. For δ(x) = Σ cₖ sin
+    /// 2kx, the derivative is within Σ 2k|cₖ| of 1. So is cos(x + δ)/cos x = cos δ − sin δ tan x, apart from
+    /// δ²/2, because
+    /// |sin 2kx tan x| = |sin 2kx/sin 2x|·2 sin² x ≤ 2k.
     pub fn bounds(&self) -> (T, [T; 2]) {
         let one = T::ONE;
         let tangent = |m: T| {
             let m = m.abs();
             let ratio = (one + m) / (one - m);
-            // asin m ≤ tan asin m.
+            // The angle is asin m, which is at most tan asin m.
             (m / (one - m * m).sqrt(), [one / ratio, ratio])
         };
         let series = |coefficients: &[T]| {
@@ -246,7 +252,7 @@ fn geocentric<T: Real>(ellipsoid: Ellipsoid<T>) -> T {
     e2 / (T::of(2.0) - e2)
 }
 
-/// The correction of a fixed ratio of tangents.
+/// The correction between latitudes whose tangents have the ratio (1 − m)/(1 + m).
 fn tangent<T: Real>(m: T) -> Correction<T> {
     if m.abs() <= T::of(0.02) {
         Correction::Near(Tangent(m))
@@ -297,7 +303,7 @@ fn clenshaw<T: Real>(coefficients: &[T], terms: usize, sin2: T, cos2: T) -> T {
 mod tests {
     use super::*;
 
-    /// The largest angle, and the least and largest of the derivative and of the ratio of cosines.
+    /// The largest angle, and the smallest and largest value of the derivative and of the ratio of cosines.
     fn sampled(correction: Correction<f64>) -> (f64, [f64; 2]) {
         let at = |x: f64| x + correction.angle(doubled(x.sin_cos()));
         let (mut angle, [mut low, mut high]) = (0.0_f64, [1.0_f64; 2]);
@@ -322,7 +328,8 @@ mod tests {
                 for correction in both.into_iter().filter_map(|new| Some(new(ellipsoid?, shift))) {
                     let (angle, [low, high]) = correction.bounds();
                     let (largest, [least, most]) = sampled(correction);
-                    // Past what the difference quotient rounds: no less, and by no more than a part that grows with the flattening.
+                    // Apart from the rounding of the difference quotient, a bound is not smaller than the
+                    // value, and larger by no more than a part that grows with the flattening.
                     let close = |bound: f64, found: f64| {
                         (-1e-9..=(0.02 + 3.0 * f.abs()) * found + 1e-9).contains(&(bound - found))
                     };

@@ -3,7 +3,9 @@ use super::{Shift, UnsupportedFlattening};
 use crate::math::{atan2_degrees, max, sin_cos_degrees};
 use crate::{Direction, Ellipsoid, LatLon, Real};
 
-/// An ellipsoid laid on the sphere: geodetic latitude and longitude to direction and back.
+/// Converts geodetic latitude and longitude on an ellipsoid to a direction on the sphere, and back.
+///
+/// The auxiliary latitude of the [`Shift`] becomes the latitude of the sphere; the longitude stays the same.
 ///
 /// ```
 /// use terrella::{Ellipsoid, LatLon, Shift, Shifted};
@@ -21,15 +23,16 @@ pub struct Shifted<T> {
 }
 
 impl<T: Real> Shifted<T> {
-    /// From an ellipsoid and the latitude that is taken for the sphere's.
+    /// Creates the step from an ellipsoid to the sphere. `shift` is the auxiliary latitude that becomes the
+    /// sphere's latitude.
     ///
     /// # Errors
-    /// [`UnsupportedFlattening`] if the latitude's formula does not hold for this ellipsoid.
+    /// [`UnsupportedFlattening`] if the flattening of the ellipsoid is out of the range of that latitude.
     pub fn new(ellipsoid: Ellipsoid<T>, shift: Shift) -> Result<Self, UnsupportedFlattening<T>> {
         supported(ellipsoid, shift).map(|ellipsoid| Self::within(ellipsoid, shift))
     }
 
-    /// For an ellipsoid known to be one that the latitude's formula holds for.
+    /// For an ellipsoid known to be [`supported`].
     pub(crate) fn within(ellipsoid: Ellipsoid<T>, shift: Shift) -> Self {
         Self {
             ellipsoid,
@@ -39,24 +42,24 @@ impl<T: Real> Shifted<T> {
         }
     }
 
-    /// The ellipsoid.
+    /// Returns the ellipsoid.
     #[must_use]
     pub fn ellipsoid(&self) -> Ellipsoid<T> {
         self.ellipsoid
     }
 
-    /// The shift.
+    /// Returns the shift.
     #[must_use]
     pub fn shift(&self) -> Shift {
         self.shift
     }
 
-    /// From the geodetic latitude to the sphere's, and back.
+    /// The corrections from the geodetic latitude to the sphere's, and back.
     pub(crate) fn corrections(&self) -> [Correction<T>; 2] {
         [self.forward, self.inverse]
     }
 
-    /// The direction of a geodetic latitude and longitude.
+    /// Returns the direction on the sphere of a geodetic latitude and longitude.
     #[must_use]
     #[inline]
     pub fn to_direction(&self, position: LatLon<T>) -> Direction<T> {
@@ -64,7 +67,8 @@ impl<T: Real> Shifted<T> {
         Direction::from_angles(self.forward.turn(latitude), longitude)
     }
 
-    /// The geodetic latitude and longitude of a direction.
+    /// Returns the geodetic latitude and longitude of a direction on the sphere: the inverse of
+    /// [`to_direction`](Self::to_direction).
     #[must_use]
     #[inline]
     pub fn to_lat_lon(&self, direction: Direction<T>) -> LatLon<T> {
@@ -72,20 +76,20 @@ impl<T: Real> Shifted<T> {
         LatLon::within(atan2_degrees(sin, cos), direction.lon())
     }
 
-    /// Sine and cosine of the sphere's latitude, of a geodetic one in degrees.
+    /// The sine and cosine of the sphere's latitude, from a geodetic latitude in degrees.
     #[inline]
     pub(crate) fn latitude(&self, lat: T) -> (T, T) {
         self.forward.turn(sin_cos_degrees(lat))
     }
 
-    /// The geodetic latitude in degrees, of sine and cosine of the sphere's.
+    /// The geodetic latitude in degrees, from the sine and cosine of the sphere's latitude.
     #[inline]
     pub(crate) fn geodetic(&self, latitude: (T, T)) -> T {
         let (sin, cos) = self.inverse.turn(latitude);
         atan2_degrees(sin, cos)
     }
 
-    /// The ellipsoid's outward normal where a direction leads.
+    /// The outward normal of the ellipsoid at the place that belongs to a direction on the sphere.
     #[must_use]
     #[inline(always)]
     pub(crate) fn normal(&self, direction: Direction<T>) -> Direction<T> {
@@ -104,12 +108,14 @@ impl<T: Real> Shifted<T> {
     }
 }
 
-/// The ellipsoid's outward normal where a direction leads, by the correction to the geodetic latitude; without an angle on the way.
+/// The outward normal of the ellipsoid at the place that belongs to a direction on the sphere, by the
+/// correction to the geodetic latitude. No angle is computed.
 #[must_use]
 #[inline(always)]
 pub(crate) fn normal<T: Real>(correction: &impl Turn<T>, direction: Direction<T>) -> Direction<T> {
     let [x, y, z] = direction.to_array();
-    // cos φ over the distance from the axis is smooth across the pole if that distance is not quite 0.
+    // cos φ divided by the distance from the axis is smooth across the pole, if that distance is kept above
+    // 0.
     let axial = max(T::pick(1e-300, 1e-36), x * x + y * y).sqrt();
     let (sin, cos) = correction.turn((z, axial));
     let scale = cos / axial;

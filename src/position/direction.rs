@@ -25,8 +25,8 @@ pub struct Direction<T = f64> {
 impl<T: Real> Direction<T> {
     /// Creates the direction of a vector of any length: even of subnormal numbers, or of the largest.
     ///
-    /// A vector that is a unit vector but for rounding is kept as it is, so that the components of a
-    /// direction create the same direction again.
+    /// If the length is 1 apart from rounding, the vector is kept as it is. So the components of a direction
+    /// create the same direction again.
     ///
     /// # Errors
     /// [`InvalidDirection`] if the vector is zero, or a component is infinite or NaN.
@@ -38,7 +38,7 @@ impl<T: Real> Direction<T> {
         Self::of_any_length(x, y, z)
     }
 
-    /// Out of line, so that nothing of it is merged with what a caller does with the components.
+    /// Not inlined, so that the compiler does not merge it with the caller's use of the components.
     #[inline(never)]
     fn of_any_length(x: T, y: T, z: T) -> Result<Self, InvalidDirection<T>> {
         let largest = max(max(x.abs(), y.abs()), z.abs());
@@ -69,19 +69,19 @@ impl<T: Real> Direction<T> {
         })
     }
 
-    /// Whether the vector is of unit length but for rounding.
+    /// Whether the length of the vector is 1 apart from rounding.
     #[inline(always)]
     pub(crate) fn is_unit(x: T, y: T, z: T) -> bool {
         (x * x + y * y + z * z - T::ONE).abs() <= T::of(4.0) * T::EPSILON
     }
 
-    /// For components known to be those of a unit vector.
+    /// Creates a direction from components known to be those of a unit vector.
     #[inline(always)]
     pub(crate) const fn within(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
 
-    /// From sine and cosine of a latitude and a longitude.
+    /// Creates the direction of a latitude and a longitude, each given by its sine and cosine.
     #[inline(always)]
     pub(crate) fn from_angles((sin_lat, cos_lat): (T, T), (sin_lon, cos_lon): (T, T)) -> Self {
         Self::within(cos_lat * cos_lon, cos_lat * sin_lon, sin_lat)
@@ -118,7 +118,7 @@ impl<T: Real> Direction<T> {
     /// Returns the latitude and longitude of this point of the unit sphere; the longitude of a pole is 0 or
     /// ±180.
     ///
-    /// Worst error 2.3 ulp of the latitude and 0.85 ulp of the longitude, next to the poles, too.
+    /// Worst error 2.3 ulp of the latitude and 0.85 ulp of the longitude, also next to the poles.
     ///
     /// ```
     /// # use terrella::{Direction, LatLon};
@@ -151,7 +151,7 @@ impl<T: fmt::Display> fmt::Display for Direction<T> {
     }
 }
 
-/// A vector that has no direction: zero, infinite or not a number.
+/// The error for a vector that has no direction: it is zero, or a component is infinite or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidDirection<T> {

@@ -9,7 +9,7 @@ use crate::math::min;
 
 /// A latitude and a longitude in degrees, minutes and seconds, rounded to a number of decimals of a second.
 ///
-/// Made by [`LatLon::to_dms`] and written by [`Display`](fmt::Display), which [`LatLon`] parses.
+/// [`LatLon::to_dms`] returns it, and [`Display`](fmt::Display) writes it as text that [`LatLon`] parses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
@@ -47,7 +47,7 @@ impl<T: Real> LatLon<T> {
     /// second.
     ///
     /// Each angle is rounded to the nearest such number, ties to even, and carries: 59.999999° with no
-    /// decimals is 60°00′00″, not 59°59′60″. More than [`Dms::MAX_DIGITS`] digits are taken for so many.
+    /// decimals is 60°00′00″, not 59°59′60″. A number of digits above [`Dms::MAX_DIGITS`] counts as that one.
     /// Neighbouring longitudes near 180° differ by 10⁻¹⁰″ in `f64`, by 0.06″ in `f32`.
     ///
     /// ```
@@ -100,37 +100,38 @@ impl Dms {
         }
     }
 
-    /// Whether the angle is negative: south of the equator, or west of Greenwich; −0 is, too.
+    /// Returns whether the angle is negative: south of the equator, or west of Greenwich. −0 is negative,
+    /// too.
     #[must_use]
     pub const fn is_negative(self) -> bool {
         self.negative
     }
 
-    /// The whole degrees, in 0 to 180.
+    /// Returns the whole degrees, in 0 to 180.
     #[must_use]
     pub const fn degrees(self) -> u16 {
         self.degrees
     }
 
-    /// The whole minutes, in 0 to 59.
+    /// Returns the whole minutes, in 0 to 59.
     #[must_use]
     pub const fn minutes(self) -> u8 {
         self.minutes
     }
 
-    /// The whole seconds, in 0 to 59.
+    /// Returns the whole seconds, in 0 to 59.
     #[must_use]
     pub const fn seconds(self) -> u8 {
         self.seconds
     }
 
-    /// The decimals of a second, in units of the last: 75 of 7.75″ with two digits.
+    /// Returns the decimals of a second, in units of the last decimal: 75 for 7.75″ with two digits.
     #[must_use]
     pub const fn fraction(self) -> u64 {
         self.fraction
     }
 
-    /// The number of decimals of a second.
+    /// Returns the number of decimals of a second.
     #[must_use]
     pub const fn digits(self) -> u8 {
         self.digits

@@ -39,7 +39,7 @@ impl<T: Real> Ecef<T> {
         Ok(Self { x, y, z })
     }
 
-    /// For coordinates known to be finite.
+    /// Creates a point with coordinates known to be finite.
     #[inline(always)]
     pub(crate) const fn within(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
@@ -81,7 +81,7 @@ impl<T: fmt::Display> fmt::Display for Ecef<T> {
     }
 }
 
-/// Coordinates of which one is infinite or not a number.
+/// The error for coordinates of which at least one is infinite or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidEcef<T> {

@@ -13,7 +13,7 @@ use crate::Real;
 /// assert_eq!(chimborazo.height(), 6268.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[doc(alias("LLA", "WGS84"))]
+#[doc(alias("LLA", "geodetic position"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -35,7 +35,7 @@ impl<T: Real> Geodetic<T> {
         Ok(Self { lat_lon, height })
     }
 
-    /// For a height known to be finite.
+    /// Creates a position with a height known to be finite.
     #[inline(always)]
     pub(crate) const fn within(lat_lon: LatLon<T>, height: T) -> Self {
         Self { lat_lon, height }
@@ -88,7 +88,7 @@ impl<T: fmt::Display> fmt::Display for Geodetic<T> {
     }
 }
 
-/// A height that is infinite or not a number.
+/// The error for a height that is infinite or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidHeight<T> {

@@ -104,9 +104,9 @@ impl<T: Real> LatLon<T> {
 
     /// Creates the place of a latitude and a longitude in radians.
     ///
-    /// Worst error 0.51 ulp of the degrees. So ±π/2 and ±π, rounded to the scalar, are ±90° and ±180°,
-    /// although some of these roundings are beyond. A longitude beyond ±π is converted to degrees, and
-    /// brought into range after that.
+    /// Worst error 0.51 ulp of the degrees. So ±π/2 and ±π, rounded to the scalar, become exactly ±90° and
+    /// ±180°, although some of the rounded numbers are larger than π/2 or π. A longitude beyond ±π is
+    /// converted to degrees first, and then brought into range.
     ///
     /// ```
     /// use core::f32::consts::{FRAC_PI_2, PI};
@@ -152,7 +152,7 @@ impl<T: Real> LatLon<T> {
         (radians(self.lat), radians(self.lon))
     }
 
-    /// For a latitude and longitude known to be in range.
+    /// Creates a place with a latitude and longitude known to be in range.
     #[inline(always)]
     pub(crate) const fn within(lat: T, lon: T) -> Self {
         Self { lat, lon }
@@ -174,8 +174,8 @@ impl<T: Real> LatLon<T> {
 
     /// Returns the unit vector toward this latitude and longitude on the sphere.
     ///
-    /// Worst error 2.2·10⁻¹⁶ rad (`f64`), 1.2·10⁻⁷ rad (`f32`). It is exact on the axes, and next to them no
-    /// component loses digits.
+    /// Worst error 2.2·10⁻¹⁶ rad (`f64`), 1.2·10⁻⁷ rad (`f32`). The result is exact on the axes. Next to
+    /// them, no component loses digits.
     ///
     /// ```
     /// # use terrella::LatLon;
@@ -190,15 +190,15 @@ impl<T: Real> LatLon<T> {
         Direction::from_angles(latitude, longitude)
     }
 
-    /// Sine and cosine of latitude and longitude; not inlined, so that both are computed side by side
-    /// whatever a caller does between.
+    /// Sine and cosine of latitude and longitude. Not inlined, so that the compiler computes both side by
+    /// side, whatever a caller does between.
     #[inline(never)]
     pub(crate) fn sin_cos(self) -> [(T, T); 2] {
         [sin_cos_degrees(self.lat), sin_cos_degrees(self.lon)]
     }
 }
 
-/// An angle in another unit: the factor is a number and what its rounding lost.
+/// An angle in another unit. The factor is given as a number and its rounding error.
 #[inline(always)]
 fn scaled<T: Real>(angle: T, factor: T, lost: T) -> T {
     let (product, product_lost) = product_of_any(angle, factor);
@@ -216,13 +216,13 @@ impl<T: fmt::Display> fmt::Display for LatLon<T> {
     }
 }
 
-/// Why there is no such [`LatLon`].
+/// Why a latitude and longitude were refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidLatLon<T> {
     /// The latitude is not in [−90, 90] degrees.
     Latitude(T),
-    /// The longitude is infinite or not a number.
+    /// The longitude is infinite or NaN.
     Longitude(T),
 }
 

@@ -26,7 +26,7 @@ impl<T: Real + FromStr> FromStr for LatLon<T> {
     ///
     /// The last number of an angle may have a decimal fraction, the others are whole. Minutes and seconds are
     /// below 60; `60.0`, which some programs write for 59.99, is accepted. A minus sign stands for S or W,
-    /// not beside such a letter. Exponents (`1e-7`), decimal commas, `nan` and `inf` are refused.
+    /// and is refused beside such a letter. Exponents (`1e-7`), decimal commas, `nan` and `inf` are refused.
     ///
     /// The result is the scalar nearest to decimal degrees, and to whole minutes and seconds. With a decimal
     /// fraction of minutes or seconds it is within 1.5 ulp.
@@ -253,19 +253,19 @@ impl<T: Real> Sexagesimal<T> {
     }
 }
 
-/// Why a text is not a [`LatLon`].
+/// Why a text was not parsed as a [`LatLon`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ParseLatLonError<T> {
-    /// A character that does not belong there, or the end of the text.
+    /// A character that is not expected there, or the end of the text.
     Unexpected {
         /// The byte at which it begins.
         at: usize,
         /// The character; `None` at the end of the text.
         found: Option<char>,
     },
-    /// Where latitude ends and longitude begins cannot be told; a comma between the two tells it.
+    /// The text does not say where the first angle ends and the second begins. Put a comma between them.
     Undivided,
     /// Both angles are latitudes (N, S), or both longitudes (E, W).
     SameAxis,

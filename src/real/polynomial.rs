@@ -7,7 +7,10 @@ use super::{Real, repeat};
 /// ```
 /// use terrella::math::Polynomial;
 /// // eˣ − 1 − x, for |x| ≤ 0.01
-/// const P: Polynomial<5, 3> = Polynomial { f64: [0.0, 0.0, 0.5, 1.0 / 6.0, 1.0 / 24.0], f32: [0.0, 0.0, 0.5] };
+/// const P: Polynomial<5, 3> = Polynomial {
+///     f64: [0.0, 0.0, 0.5, 1.0 / 6.0, 1.0 / 24.0],
+///     f32: [0.0, 0.0, 0.5],
+/// };
 /// assert!((P.at(0.01_f64) - (0.01_f64.exp_m1() - 0.01)).abs() < 1e-12);
 /// assert!((P.at(0.01_f32) - (0.01_f32.exp_m1() - 0.01)).abs() < 1e-6);
 /// ```

@@ -46,7 +46,7 @@ impl Scene {
     /// | surface | metres | where |
     /// |---|---|---|
     /// | plane | s (0.038 e²σ² + 0.032 σ⁴) | σ ≤ 0.2 |
-    /// | ellipsoid | 10⁻¹⁵ a/cos(φ + σ/2) + 0.02 f m²/n, but at most 0.1 m²/n | s ≤ 0.9 πb; beyond, 10⁴ m²/n |
+    /// | ellipsoid | 10⁻¹⁵ a/cos(φ + σ/2) + 0.02 f m²/n, at most 0.1 m²/n | s ≤ 0.9 πb; beyond, 10⁴ m²/n |
     ///
     /// and rounding:
     ///

@@ -41,7 +41,7 @@ impl fmt::Display for SceneError {
                 f,
                 "heights {heights:?}: expected -b/2 <= lowest <= highest <= b, with the polar semi-axis b"
             ),
-            Self::Tolerance(tolerance) => write!(f, "tolerance {tolerance}: expected a number that is not negative"),
+            Self::Tolerance(tolerance) => write!(f, "tolerance {tolerance}: expected 0 or a positive number"),
             Self::NoBound(method) => write!(f, "no bound is known for the method {method}"),
             Self::OutOfReach(Bound { distance, azimuth }) => write!(
                 f,

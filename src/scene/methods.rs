@@ -29,9 +29,10 @@ macro_rules! methods {
             /// [`Vincenty`] does not answer everywhere.
             ///
             /// Let s be a distance, σ = s/b, x = max(0, 2σ/π − 1), r = a(1 − f)², δ the half width of the
-            /// band of latitudes in radians, φ its latitude farthest from the equator and φ₀ the nearest. M
-            /// and N are the radii of curvature in the meridian and across it. The errors of the methods are
-            /// at most
+            /// band of latitudes in radians, φ its latitude farthest from the equator and φ₀ the nearest. Let
+            /// t = tan φ and ε = 1.1 δ³/6 (t + 6e² + δ/4). M is the radius of curvature in the meridian at
+            /// φ₀, and N is that across it at φ + s/2r; the sphere of [`GreatCircle`] has the radius (M +
+            /// N)/2. The errors of the methods are at most
             ///
             /// | method | of a distance | of an azimuth | where |
             /// |---|---|---|---|
@@ -136,7 +137,7 @@ macro_rules! methods {
 }
 
 methods! {
-    /// | [`Plane`] | s ε more than [`Flat`], ε = 1.1 δ³/6 (tan φ + 6e² + δ/4) | ε + s/r δ³/12 more | as [`Flat`], δ ≤ 0.3 |
+    /// | [`Plane`] | s ε more than [`Flat`] | ε + s/r δ³/12 more | as [`Flat`], δ ≤ 0.3 |
     Plane |m, way, ellipsoid| {
         holds: m.flat_holds() && m.band.half <= 0.3,
         distance: m.flat() + m.far * m.bent(),
@@ -153,7 +154,7 @@ methods! {
             Plane::within(ellipsoid, lat, middle)
         },
     }
-    /// | [`Flat`] | 1.25 s³/(24r²) (0.26 + 1.13 tan²φ) | 1.25 s²/r² (0.033 + 0.027 tan²φ) | s ≤ 0.5 r, s tan φ ≤ 0.5 r |
+    /// | [`Flat`] | 1.25 s³/(24r²) (0.26 + 1.13 t²) | 1.25 s²/r² (0.033 + 0.027 t²) | s ≤ r/2, s t ≤ r/2 |
     Flat |m, way, ellipsoid| {
         holds: !m.local && m.flat_holds(),
         distance: m.flat(),
@@ -162,7 +163,7 @@ methods! {
         across: 0.0,
         solver: Flat::within(ellipsoid),
     }
-    /// | [`GreatCircle`] of radius (M + N)/2 | s (N − M)/(2M), M at φ₀, N at φ + s/2r | 1.2 f cos²φ₀ (1 + 1.45 x²/(π − σ)) | |
+    /// | [`GreatCircle`] | s (N − M)/(2M) | 1.2 f cos²φ₀ (1 + 1.45 x²/(π − σ)) | |
     GreatCircle |m, way, ellipsoid| {
         holds: !m.local,
         distance: {

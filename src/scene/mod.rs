@@ -6,9 +6,9 @@
 //!
 //! | question | possible answers, the cheapest first |
 //! |---|---|
-//! | [`Scene::distances`] | the methods in [`Scene::METHODS`], from [`Plane`](crate::geodesic::Plane) to [`Karney`](crate::geodesic::Karney) |
+//! | [`Scene::distances`] | the methods in [`Scene::METHODS`], from `Plane` to `Karney` |
 //! | [`Scene::areas`] | [`PlanarArea`](crate::geodesic::PlanarArea), [`Area`](crate::geodesic::Area) |
-//! | [`Scene::positions`] | [`Expansion`] of the first order, of the second, [`LocalFrame`](crate::LocalFrame) |
+//! | [`Scene::positions`] | [`Expansion`] of the first or second order, [`LocalFrame`](crate::LocalFrame) |
 //! | [`Scene::scalar`] | `f32`, `f32` about an origin, `f64` |
 //! | [`Scene::figure`] | a sphere without a shift, a sphere with one, the ellipsoid |
 //! | [`Scene::tiles`] | the level from which a tile is its four corners, or a series |

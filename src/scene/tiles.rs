@@ -9,21 +9,21 @@ pub struct Tiles {
     /// From this level on, four corners with their normals and heights, interpolated, are enough:
     /// [`Vertices::plain`](crate::terrain::Vertices::plain). `None` if no level up to 30 is fine enough.
     pub plain: Option<u8>,
-    /// From this level on, a [`Series`](crate::terrain::Series) of the second order is enough. `None` if no level
-    /// up to 30 is fine enough.
+    /// From this level on, a [`Series`](crate::terrain::Series) of the second order is enough. `None` if no
+    /// level up to 30 is fine enough.
     pub series: Option<u8>,
 }
 
 impl Scene {
-    /// Returns the coarsest levels at which tiles need only their four corners, or only their series, to keep the
-    /// tolerance in metres at the heights of the scene.
+    /// Returns the coarsest levels at which tiles need only their four corners, or only their series, to keep
+    /// the tolerance in metres at the heights of the scene.
     ///
-    /// At level L, the corners of a tile leave an error of D a 4^(−L), and its series one of S a 8^(−L), if the
-    /// projection is smooth. The errors are (D 2^(−L) + 0.35·4^(−L)) a if it is creased (quadrilateralized, HEALPix,
-    /// vertex). They fall with 2^(−4L/3) for the conformal one. D and S hold for every shift. They are the largest
-    /// values of [`Patches::flatness`](crate::terrain::Patches::flatness) and
-    /// [`Patches::truncation`](crate::terrain::Patches::truncation), which examine one map and take a thousand times
-    /// as long.
+    /// At level L, the corners of a tile leave an error of D a 4^(−L), and its series one of S a 8^(−L), if
+    /// the projection is smooth. The errors are (D 2^(−L) + 0.35·4^(−L)) a if it is creased
+    /// (quadrilateralized, HEALPix, vertex). They fall with 2^(−4L/3) for the conformal one. D and S hold for
+    /// every shift. They are the largest values of [`Patches::flatness`](crate::terrain::Patches::flatness)
+    /// and [`Patches::truncation`](crate::terrain::Patches::truncation), which examine one map and take a
+    /// thousand times as long.
     ///
     /// # Errors
     /// A [`SceneError`] if the scene itself is refused.

@@ -9,13 +9,14 @@ projection! {
         title: "Balanced",
         also: "",
         summary: "The balanced cube: a polynomial map with the least texture oversize.",
-        idea: "A polynomial with three coefficients, found by minimax search, so that cells differ as \
-            little as possible both in area and in the ratio of their sides. To the sphere it takes ten \
+        idea: "A polynomial with three coefficients, found by minimax search, so that cells differ as little \
+            as possible both in area and in the ratio of their sides. The way to the sphere takes ten \
             multiplications and additions for each coordinate, and one square root.",
         origin: "Made for terrella: the texture oversize of Dimitrijević, Lambers & Rančić (2016), eq. \
             3.9, is 1.405 where their best projection has 2.",
-        choose: "Take it for the least texture memory. For equal areas take [`Vertex`](super::Vertex); for \
-            speed from the sphere to the cube, [`S2Quadratic`](super::S2Quadratic).",
+        choose: "Take it for the least texture memory. For equal areas take [`Vertex`](super::Vertex). For \
+            speed from the sphere to the cube take [`S2Quadratic`](super::S2Quadratic) (79 instructions \
+            instead of 240, but texture oversize 2.105 instead of 1.405).",
         keeps: None,
         area_ratio: 1.488,
         aspect_ratio: 1.403,
@@ -58,7 +59,8 @@ impl CubeProjection for Balanced {
         let (u, v) = (right / outward, up / outward);
         let (pu, pv) = (T::ONE - u * u, T::ONE - v * v);
         let two = T::of(2.0);
-        // Within 9e-6; the error after one, two, three steps of Newton's method is at most 5e-11, 2e-16.
+        // The guess is within 9e-6. After one and two steps of Newton's method the error is at most 5e-11 and
+        // 2e-16.
         let start =
             |w: T, p: T, q: T| w * (T::ONE + p * (T::of(0.134_319) + p * (T::of(0.036_938) + T::of(0.111_502) * q)));
         let (mut x, mut y) = (start(u, pu, pv), start(v, pv, pu));

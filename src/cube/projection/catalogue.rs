@@ -3,7 +3,7 @@
 use super::Projection;
 use crate::name::by_name;
 
-/// Makes modules, [`Projection`] and its functions of a list.
+/// Declares a module for each projection of a list, and [`Projection`] with its functions.
 macro_rules! projections {
     ($($module:ident::$variant:ident,)*) => {
         $(
@@ -11,9 +11,10 @@ macro_rules! projections {
             pub use $module::$variant;
         )*
 
-        /// The projections of this crate, to choose one at run time.
+        /// The projections of this crate, to choose one by name or at run time.
         ///
-        /// Code that knows its projection uses the type instead: then only that one is linked.
+        /// Code that always uses the same projection names its type, for example
+        /// [`Vertex`](struct@Vertex), and then links no other.
         ///
         /// ```
         /// use terrella::{Direction, cube::{CubeProjection, Projection}};
@@ -34,10 +35,11 @@ macro_rules! projections {
         }
 
         impl Projection {
-            /// All projections.
+            /// All projections, in the order in which they were added.
             pub const ALL: &[Self] = &[$(Self::$variant),*];
 
-            /// The name, in lower case.
+            /// Returns the name, in lower case, with `-` between words. [`Display`](core::fmt::Display)
+            /// writes it, and [`str::parse`] reads it.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self {
@@ -45,7 +47,7 @@ macro_rules! projections {
                 }
             }
 
-            /// What is known of the projection.
+            /// Returns what is known of the projection: names, origin, distortion, errors and cost.
             #[must_use]
             pub const fn profile(self) -> &'static Profile {
                 match self {
@@ -53,7 +55,7 @@ macro_rules! projections {
                 }
             }
 
-            /// The coarseness of its tiles, without the rest of the profile.
+            /// How the errors of simplified tiles shrink with the level, without the rest of the profile.
             pub(crate) const fn tiles(self) -> [Decay; 2] {
                 match self {
                     $(Self::$variant => const { $module::$variant::PROFILE.tiles },)*

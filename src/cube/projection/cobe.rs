@@ -9,14 +9,18 @@ projection! {
     Cobe "cobe" {
         title: "COBE",
         also: "COBE sky cube, CSC",
-        summary: "The COBE sky cube, CSC, as published: two polynomials that are not exact inverses.",
-        idea: "A polynomial in the coordinates of the tangential cube, fitted to spread area almost \
-            evenly, and a second polynomial, fitted to lead back. Forth and back misses by up to 2.9e-4.",
+        summary: "The COBE sky cube, CSC, as published: one polynomial to the cube, and another to the \
+            sphere that is not its exact inverse.",
+        idea: "The first polynomial, in the coordinates of the tangential cube, was fitted so that all cells \
+            have almost the same area. The second was fitted to lead back. A point that is projected and \
+            unprojected is off by up to 2.9e-4.",
         origin: "The sky maps of NASA’s Cosmic Background Explorer (1989 to 1993), after Chan & O’Neill \
             (1975); CSC of the FITS standard, Calabretta & Greisen (2002), §5.6.2; Dimitrijević, Lambers & \
-            Rančić (2016), §4.4. The figures are those of the published way back.",
-        choose: "Take it to read and write COBE data. [`CobeExact`](super::CobeExact) comes back to the \
-            same point.",
+            Rančić (2016), §4.4. The distortion is that of the published polynomial to the sphere.",
+        choose: "Take it to read and write COBE data. [`CobeExact`](super::CobeExact) has the same \
+            polynomial to the cube and leads back to the same point, for 730 instructions instead of 130. \
+            For exactly equal areas take [`Quadrilateralized`](super::Quadrilateralized) or \
+            [`Vertex`](super::Vertex).",
         keeps: None,
         area_ratio: 1.221,
         aspect_ratio: 2.366,

@@ -11,15 +11,17 @@ projection! {
     Conformal "conformal" {
         title: "Conformal",
         also: "",
-        summary: "The conformal cube: angles are kept, but at the eight corners, where the scale is 0.",
-        idea: "Small shapes keep their shape. About each corner a power series turns the 120° of a face on \
-            the sphere into the 90° of a square. Near a corner, z goes with the ¾th power of the distance \
-            on the sphere, so that one rounding there, 1.1e-16 rad, is 1e-12 in x and y: that is the map’s \
-            own conditioning.",
+        summary: "The conformal cube: it keeps angles everywhere except at the eight corners, where the \
+            scale is 0.",
+        idea: "Small shapes keep their shape. At each corner, a power series turns the 120° of a face on the \
+            sphere into the 90° of a square. Near a corner, the distance from the corner on the face grows \
+            with the ¾th power of the distance on the sphere. So a rounding of 1.1e-16 rad on the sphere \
+            becomes 1e-12 in x and y there: this is a property of the map, whatever program computes it.",
         origin: "Rančić, Purser & Mesinger (1996), for models of ocean and atmosphere; the MIT general \
             circulation model computes on it.",
-        choose: "Take it where angles matter. Cells vanish at the corners; [`Vertex`](super::Vertex) has \
-            an angular deformation of at most 20.3° without that.",
+        choose: "Take it where angles matter. Cells shrink to nothing at the corners. \
+            [`Vertex`](super::Vertex) has cells of equal area, with an angular deformation of at most 20.3°, \
+            at less than half of the cost (200 instructions to the cube instead of 550).",
         keeps: Some(Kept::Angles),
         area_ratio: infinite,
         aspect_ratio: 1.000,
@@ -42,7 +44,8 @@ impl CubeProjection for Conformal {
         let steep = up.abs() > right.abs();
         let major = select(steep, up, right).abs();
         let minor = select(steep, right, up).abs();
-        // Of the corner's 60° sector w = ρ(1 + ik/√3)·e^(i30°); the differences are exact near the corner, k = −1 is the edge.
+        // In the corner's 60° sector, w = ρ(1 + ik/√3)·e^(i30°). The differences are exact near the corner;
+        // k = −1 is the edge.
         let sector = outward - minor;
         let safe = select(sector == T::ZERO, T::ONE, sector);
         let k = ((outward - major) - (major - minor)) / safe;

@@ -7,8 +7,8 @@ use crate::{Direction, Real};
 
 /// A projection of the sphere onto the six faces of a cube, and back.
 ///
-/// To make one of your own, implement [`forward`](Self::forward) and [`inverse`](Self::inverse). All else in this
-/// crate then works with it, in `f64` and `f32`, with derivatives and over slices.
+/// To make one of your own, implement [`forward`](Self::forward) and [`inverse`](Self::inverse). Everything
+/// else in this crate then works with it, in `f64` and `f32`, with derivatives and over slices.
 ///
 /// ```
 /// use terrella::cube::{CubeProjection, Face};
@@ -32,9 +32,10 @@ use crate::{Direction, Real};
 /// # Ok::<(), terrella::InvalidDirection<f64>>(())
 /// ```
 pub trait CubeProjection: Copy {
-    /// Returns (x, y) on a face, from a unit vector in the face's frame (right, up, outward).
+    /// Returns (x, y) in [−1, 1]² on a face, from a unit vector in the face's frame (right, up, outward).
     ///
-    /// The vector's length is 1 but for rounding; the result must depend on its direction only.
+    /// The vector's length is 1 apart from rounding; the result must depend on its direction only. Rounding
+    /// may carry a result past ±1: [`project`](Self::project) brings it back.
     #[must_use]
     fn forward<T: Real>(&self, face: Face, local: [T; 3]) -> [T; 2];
 
@@ -42,8 +43,8 @@ pub trait CubeProjection: Copy {
     #[must_use]
     fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3];
 
-    /// Returns whether a direction is on the top or the bottom face: where |z| is the largest component, unless the
-    /// projection has other polar faces.
+    /// Returns whether a direction lies on the top or the bottom face. The default is the cube's own faces:
+    /// where |z| is the largest component.
     #[must_use]
     #[inline(always)]
     fn is_polar<T: Real>(&self, direction: Direction<T>) -> bool {
@@ -51,15 +52,15 @@ pub trait CubeProjection: Copy {
         (z.abs() > y.abs()) & (z.abs() >= x.abs())
     }
 
-    /// Returns the face of a direction: top or bottom, or the side face of its longitude. Where |x| = |y|, it is
-    /// the face of the axis y.
+    /// Returns the face of a direction: top or bottom, or the side face of its longitude. Where |x| = |y|,
+    /// the side face is that of the axis y.
     #[must_use]
     #[inline(always)]
     fn face<T: Real>(&self, direction: Direction<T>) -> Face {
         Face::of(self.is_polar(direction), direction)
     }
 
-    /// Projects a direction to a point on the cube.
+    /// Projects a direction to a point of the cube.
     #[must_use]
     #[inline(always)]
     fn project<T: Real>(&self, direction: Direction<T>) -> FacePoint<T> {
@@ -68,7 +69,7 @@ pub trait CubeProjection: Copy {
         FacePoint::within(face, x, y)
     }
 
-    /// Returns the direction of a point on the cube.
+    /// Returns the direction of a point of the cube: the inverse of [`project`](Self::project).
     #[must_use]
     #[inline(always)]
     fn unproject<T: Real>(&self, point: FacePoint<T>) -> Direction<T> {
@@ -77,13 +78,14 @@ pub trait CubeProjection: Copy {
         Direction::within(x, y, z)
     }
 
-    /// Whether latitude and longitude are all that the projection needs. Then a [`CubeMap`](crate::cube::CubeMap) calls
-    /// [`project_place`](Self::project_place) and [`unproject_place`](Self::unproject_place), without directions.
+    /// Whether the projection is computed from latitude and longitude alone. If so, a
+    /// [`CubeMap`](crate::cube::CubeMap) calls [`project_place`](Self::project_place) and
+    /// [`unproject_place`](Self::unproject_place), and computes no unit vector.
     #[doc(hidden)]
     const TAKES_PLACES: bool = false;
 
-    /// From sine and cosine of a latitude on the sphere, and a longitude in [−180, 180] degrees, to the face's
-    /// number, x and y.
+    /// Returns the number of the face, x and y, from the sine and cosine of a latitude on the sphere and a
+    /// longitude in [−180, 180] degrees.
     ///
     /// ```
     /// use terrella::cube::{CubeProjection, Face, Healpix};
@@ -99,8 +101,8 @@ pub trait CubeProjection: Copy {
         [T::from_byte(point.face().index()), point.x(), point.y()]
     }
 
-    /// From a face's number, x and y to sine and cosine of the latitude on the sphere, and the longitude in
-    /// [−180, 180] degrees.
+    /// Returns the sine and cosine of the latitude on the sphere, and the longitude in [−180, 180] degrees,
+    /// from the number of a face, x and y.
     ///
     /// ```
     /// use terrella::cube::{CubeProjection, Healpix};
@@ -114,8 +116,8 @@ pub trait CubeProjection: Copy {
         ((direction.z(), direction.cos_lat()), direction.lon())
     }
 
-    /// Runs a task with the projection's own type. [`Projection`](super::Projection) runs it with the type that it
-    /// stands for, so that a loop over points chooses once.
+    /// Runs a task with the projection's own type. A [`Projection`](super::Projection) runs it with the type
+    /// that it stands for, so that a loop over points chooses the projection once.
     #[doc(hidden)]
     #[inline(always)]
     fn with<W: ProjectionTask>(self, task: W) -> W::Output {

@@ -16,12 +16,13 @@ impl Decay {
     }
 }
 
-/// A projection without creases: displacements, and what a series of the second order leaves out.
+/// For a projection without creases: the displacement of a tile drawn by its corners, and the error of a
+/// series of the second order.
 pub(super) const fn smooth(displacement: f64, series: f64) -> [Decay; 2] {
     [decay(displacement, 6, 0.0), decay(series, 9, 0.0)]
 }
 
-/// A projection that has creases inside its faces.
+/// The same for a projection that has creases inside its faces.
 pub(super) const fn creased(displacement: f64, series: f64) -> [Decay; 2] {
     [decay(displacement, 3, 0.35), decay(series, 3, 0.35)]
 }

@@ -8,11 +8,12 @@ projection! {
         title: "Everitt",
         also: "",
         summary: "Everitt’s cube: x = u(11 − 3|u|)/8 in each coordinate.",
-        idea: "A parabola on either side of the midline imitates the adjusted cube, as in S2, but from the sphere \
-            to the cube: there it takes no square root.",
+        idea: "A parabola on either side of the midline of a face approximates the adjusted cube, as in S2. \
+            Here the parabola leads from the sphere to the cube, so that this way takes no square root.",
         origin: "Everitt (2014), Projection cube maps, with e = 1.375.",
-        choose: "Take it to agree with textures that were made with it. [`S2Quadratic`](super::S2Quadratic) and \
-            [`Algebraic`](super::Algebraic) cost as little and have less texture oversize or areas that vary less.",
+        choose: "Take it to agree with textures that were made with it. At about the same cost, \
+            [`S2Quadratic`](super::S2Quadratic) has less texture oversize (2.105 instead of 2.420), and \
+            [`Algebraic`](super::Algebraic) has areas that vary less (1.268 to 1 instead of 1.446 to 1).",
         keeps: None,
         area_ratio: 1.446,
         aspect_ratio: 2.420,

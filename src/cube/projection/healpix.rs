@@ -12,17 +12,19 @@ projection! {
         title: "HEALPix",
         also: "rHEALPix, hierarchical equal-area iso-latitude pixelation",
         summary: "rHEALPix, HEALPix on a cube: equal-area, with faces that meet along parallels.",
-        idea: "Where the sine of the latitude is below ⅔, the side faces are Lambert’s cylindrical \
-            equal-area projection. Beyond, each pole has a square of four triangles, whose parallels are \
-            squares around the pole.",
+        idea: "Where the absolute value of the sine of the latitude is below ⅔, the side faces are Lambert’s \
+            cylindrical equal-area projection. Beyond, each pole has a square of four triangles, in which \
+            parallels become squares around the pole.",
         origin: "Górski and others (2005), arranged as in Dimitrijević, Lambers & Rančić (2016), §4.7. The \
-            arrangement is that of rHEALPix (Gibb, Raichev & Speth 2013; PROJ’s `rhealpix`), but the side \
-            faces are about the longitudes 0°, 90°, 180° and 270°, where rHEALPix and standard HEALPix \
-            have theirs about 45°, 135°, 225° and 315°: a place is here where theirs has the place 45° to \
-            the east.",
-        choose: "The pixels of standard HEALPix are diamonds: they are in [`healpix`](crate::healpix). Take it for equal areas where rows of cells should follow parallels. Between latitudes \
-            and longitudes, a [`CubeMap`](crate::cube::CubeMap) computes it without directions. \
-            [`Vertex`](super::Vertex) distorts less.",
+            arrangement is that of rHEALPix (Gibb, Raichev & Speth 2013; PROJ’s `rhealpix`) with one \
+            difference: the side faces are centred on the longitudes 0°, 90°, 180° and 270° here, and on \
+            45°, 135°, 225° and 315° in rHEALPix and in standard HEALPix. So a place has the coordinates \
+            here that the place 45° to its east has there.",
+        choose: "Take it for equal areas where rows of cells should follow parallels. Between latitude and \
+            longitude and the cube, use a [`CubeMap`](crate::cube::CubeMap): it computes this projection \
+            without unit vectors. [`Vertex`](super::Vertex) has equal areas with less distortion (ω 20.3° \
+            instead of 49.3°, aspect ratio 2.035 instead of 3.334). The pixels of standard HEALPix, which \
+            are diamonds, are in [`healpix`](crate::healpix).",
         keeps: Some(Kept::Areas),
         area_ratio: 1.000,
         aspect_ratio: 3.334,
@@ -65,7 +67,8 @@ impl CubeProjection for Healpix {
     fn forward<T: Real>(&self, face: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
         let polar = face.is_polar();
         let length = (right * right + up * up + outward * outward).sqrt();
-        // Within the quarter of longitude: on a side face from its centre, on a polar one from the triangle's.
+        // The longitude within its quarter: on a side face from the centre of the face, on a polar face from
+        // that of the triangle.
         let steep = polar & (up.abs() > right.abs());
         let major = select(polar, select(steep, up, right), outward);
         let minor = select(steep | !polar, right, up);

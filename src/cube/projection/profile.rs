@@ -4,7 +4,7 @@ use super::decay::Decay;
 
 /// What is known of a projection: names, origin, distortion on the sphere, errors and cost.
 ///
-/// Every figure is measured, and a test holds it. The distortion is that of the whole cube on the sphere.
+/// Every figure is measured, and a test checks it. The distortion is that of the whole cube on the sphere.
 ///
 /// ```
 /// use terrella::cube::{Balanced, Kept, Projection};
@@ -16,56 +16,59 @@ use super::decay::Decay;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Profile {
-    /// The name in lower case, which [`Projection`](super::Projection) is parsed from.
+    /// The name in lower case: the one that [`Projection`](super::Projection) is parsed from.
     pub name: &'static str,
     /// The name as a heading.
     pub title: &'static str,
-    /// Other names, separated by commas; empty if there is none.
+    /// Other names, separated by commas; empty if there are none.
     pub also: &'static str,
     /// How the projection works.
     pub idea: &'static str,
     /// Who published it, and who uses it.
     pub origin: &'static str,
-    /// What the projection keeps.
+    /// The property that the projection keeps exactly, or `None`.
     pub keeps: Option<Kept>,
-    /// The largest true area of a cell over the smallest; infinite for [`Conformal`](super::Conformal).
+    /// The largest area of a cell on the sphere, divided by the smallest; infinite for
+    /// [`Conformal`](super::Conformal).
     pub area_ratio: f64,
-    /// The largest ratio of a cell's width to its height over the smallest.
+    /// The largest ratio of a cell's width to its height, divided by the smallest.
     pub aspect_ratio: f64,
-    /// Texture oversize ε of Dimitrijević, Lambers & Rančić (2016), eq. 3.9: the larger of the aspect ratio and
-    /// the ratio of width times height.
+    /// Texture oversize ε of Dimitrijević, Lambers & Rančić (2016), eq. 3.9: the larger of the aspect ratio
+    /// and the largest product of a cell's width and height, divided by the smallest.
     pub oversize: f64,
-    /// The largest angular deformation ω, in degrees.
+    /// The largest angular deformation ω in degrees: how much the angle between two lines can change.
     pub deformation: f64,
-    /// From the sphere to the cube; the worst error is that of x and y.
+    /// Formula, error and cost from the sphere to the cube. The error is that of x and y.
     pub forward: Evaluation,
-    /// From the cube to the sphere; the worst error is that of the direction, in radians.
+    /// Formula, error and cost from the cube to the sphere. The error is that of the direction, in radians.
     pub inverse: Evaluation,
-    /// The coarseness of tiles: see [`Scene::tiles`](crate::scene::Scene::tiles).
+    /// How the errors of simplified tiles shrink with the level: see
+    /// [`Scene::tiles`](crate::scene::Scene::tiles).
     pub(crate) tiles: [Decay; 2],
 }
 
-/// What a projection keeps.
+/// A property that a projection keeps exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kept {
     /// Cells of equal size in x and y have equal areas on the sphere.
     Areas,
-    /// Angles, but at the corners of the cube.
+    /// Angles are the same on the face as on the sphere, except at the corners of the cube.
     Angles,
     /// Great circles are straight lines on a face.
     GreatCircles,
 }
 
-/// How one direction of a projection is computed, how well, and at what cost.
+/// How a projection is computed in one direction (to the cube or to the sphere), with its error and cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Evaluation {
     /// The kind of formula.
     pub formula: Formula,
-    /// The worst error, in `f64` and in `f32`.
+    /// The largest error, in `f64` and in `f32`.
     pub worst_error: [f64; 2],
-    /// Instructions of a point, in `f64` and in `f32`, one by one on x86-64 (SSE2), to two digits.
+    /// The number of instructions for one point, in `f64` and in `f32`, on x86-64 with SSE2 and without
+    /// batches, to two digits.
     pub instructions: [u32; 2],
 }
 
@@ -77,7 +80,7 @@ pub enum Formula {
     Algebraic,
     /// Trigonometric functions.
     Trigonometric,
-    /// A polynomial that was fitted.
+    /// A polynomial with fitted coefficients.
     Polynomial,
     /// A power series.
     Series,
@@ -86,7 +89,7 @@ pub enum Formula {
 }
 
 impl Formula {
-    /// The name, in lower case.
+    /// Returns the name, in lower case.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -115,38 +118,46 @@ macro_rules! projection {
             aspect_ratio: $aspect:literal,
             oversize: $oversize:tt,
             deformation: $deformation:literal,
-            forward: $forward:ident, error [$xy64:literal, $xy32:literal], instructions [$to64:literal, $to32:literal];
-            inverse: $inverse:ident, error [$rad64:literal, $rad32:literal], instructions [$from64:literal, $from32:literal];
+            forward: $forward:ident, error [$xy64:literal, $xy32:literal],
+                instructions [$to64:literal, $to32:literal];
+            inverse: $inverse:ident, error [$rad64:literal, $rad32:literal],
+                instructions [$from64:literal, $from32:literal];
             tiles: $tiles:expr,
         }
     ) => {
         #[doc = $summary]
         ///
-        #[doc = concat!("Name: `", $name, "`.")]
         #[doc = $idea]
         ///
-        #[doc = $origin]
+        #[doc = concat!("**Origin.** ", $origin)]
         ///
-        #[doc = $choose]
+        #[doc = concat!("**Choice.** ", $choose)]
+        ///
+        #[doc = concat!("**Name.** `", $name, "`, for [`Projection`](crate::cube::Projection).")]
         ///
         #[doc = include_str!(concat!("pictures/", $name, ".svg"))]
         ///
-        /// | true area, largest over smallest | aspect ratio | texture oversize ε | angular deformation ω |
+        /// | [largest area over smallest] | [aspect ratio] | [texture oversize ε] | [angular deformation ω] |
         /// |---|---|---|---|
         #[doc = concat!(
             "| ", $crate::cube::projection::profile::figure!(text $area), " | ", $aspect, " | ",
             $crate::cube::projection::profile::figure!(text $oversize), " | ", $deformation, "° |"
         )]
         ///
-        /// | | formula | worst error, `f64` | `f32` | instructions, `f64` | `f32` |
+        /// [largest area over smallest]: crate::cube::Profile::area_ratio
+        /// [aspect ratio]: crate::cube::Profile::aspect_ratio
+        /// [texture oversize ε]: crate::cube::Profile::oversize
+        /// [angular deformation ω]: crate::cube::Profile::deformation
+        ///
+        /// | | formula | worst error, `f64` | `f32` | instructions for one point, `f64` | `f32` |
         /// |---|---|---|---|---|---|
         #[doc = concat!(
-            "| to the cube | ", stringify!($forward), " | ", stringify!($xy64), " of x and y | ", stringify!($xy32),
-            " | ", $to64, " | ", $to32, " |"
+            "| to the cube | ", stringify!($forward), " | ", stringify!($xy64), " of x and y | ",
+            stringify!($xy32), " | ", $to64, " | ", $to32, " |"
         )]
         #[doc = concat!(
-            "| to the sphere | ", stringify!($inverse), " | ", stringify!($rad64), " rad | ", stringify!($rad32),
-            " rad | ", $from64, " | ", $from32, " |"
+            "| to the sphere | ", stringify!($inverse), " | ", stringify!($rad64), " rad | ",
+            stringify!($rad32), " rad | ", $from64, " | ", $from32, " |"
         )]
         ///
         /// ```
@@ -164,7 +175,7 @@ macro_rules! projection {
         pub struct $variant;
 
         impl $variant {
-            /// What is known of the projection.
+            /// Names, origin, distortion, errors and cost of the projection, as data.
             pub const PROFILE: $crate::cube::Profile = $crate::cube::Profile {
                 name: $name,
                 title: $title,

@@ -3,12 +3,16 @@ use crate::Real;
 use crate::math::{Polynomial, repeat};
 use crate::real::Kernel;
 
-/// The family of polynomial quadrilateralized cubes that COBE's belongs to, with the coefficients as data.
+/// A polynomial quadrilateralized cube with your own coefficients: the family of the COBE sky cube.
 ///
-/// Forward x = F(u, v), y = F(v, u) of the gnomonic coordinates,
-/// F(u, v) = γ\*u + u³(1 − γ\*) + uv²(1 − u²)\[Γ + (M − Γ)u² + (1 − v²)ΣCᵢⱼu²ⁱv²ʲ\] + u³(1 − u²)\[Ω₁ − (1 − u²)ΣDᵢu²ⁱ\],
-/// the inverse by Newton's method on that very polynomial, so that any published set (Chan & O'Neill's QLSC of 1975 is one) closes
-/// its round trip to rounding. It must be one to one with a slope above about ½.
+/// With the gnomonic coordinates u and v of a point, x = F(u, v) and y = F(v, u), where
+///
+/// F(u, v) = γ\*u + u³(1 − γ\*) + uv²(1 − u²)\[Γ + (M − Γ)u² + (1 − v²)ΣCᵢⱼu²ⁱv²ʲ\]
+/// + u³(1 − u²)\[Ω₁ − (1 − u²)ΣDᵢu²ⁱ\].
+///
+/// To the sphere, Newton's method solves the same polynomial. So a round trip is exact to rounding with any
+/// published coefficients, for example those of Chan & O'Neill's QLSC (1975). The polynomial must be one to
+/// one, and its slope must be larger than about ½.
 ///
 /// The coefficients are, in order, γ\*, M, Γ, Ω₁, C₀₀, C₁₀, C₀₁, C₁₁, C₂₀, C₀₂, D₀, D₁.
 ///
@@ -88,7 +92,8 @@ impl CubeProjection for QuadCube {
             [u, v] = self.newton([u, v], [px, py]);
         });
         let (mut u, mut v) = (T::from_plain(u), T::from_plain(v));
-        // A loop, which is none for a plain number: written out, steps that are not taken are half of what a compiler has to read.
+        // A loop, which a plain number never enters: written out, the steps that are not taken would be half
+        // of what a compiler has to read.
         for _ in 0..T::steps(0, 0) {
             [u, v] = self.newton([u, v], [x, y]);
         }

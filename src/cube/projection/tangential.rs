@@ -11,13 +11,15 @@ projection! {
         also: "gnomonic cube, TSC",
         summary: "The tangential (gnomonic) cube, TSC: x = u, where u is a coordinate of the point on the \
             circumscribed cube.",
-        idea: "A ray from the centre of the sphere carries each point straight onto a cube around it. \
-            Great circles become straight lines. A cell in the middle of a face covers five times the area \
-            of a cell in a corner.",
+        idea: "A ray from the centre of the sphere carries each point straight onto a cube around it. Great \
+            circles become straight lines. A cell in the middle of a face covers five times the area of a \
+            cell in a corner.",
         origin: "It is the cube map of graphics hardware and TSC of the FITS standard; Dimitrijević, \
             Lambers & Rančić (2016), §4.1.",
-        choose: "It is the cheapest projection. Where cells should be of similar size, take \
-            [`S2Quadratic`](super::S2Quadratic) or [`Adjusted`](super::Adjusted).",
+        choose: "Take it where great circles must be straight lines, or where cost counts most: it is the \
+            cheapest projection. Where cells should be of similar size, take \
+            [`S2Quadratic`](super::S2Quadratic) (areas vary 2.097 to 1 instead of 5.196 to 1) or \
+            [`Adjusted`](super::Adjusted) (1.414 to 1).",
         keeps: Some(Kept::GreatCircles),
         area_ratio: 5.196,
         aspect_ratio: 2.000,

@@ -81,8 +81,8 @@ fn errors_stay_in_place() {
         "latitude --from geodetic --to authalic",
         "-90",
         &[
-            (b"-91", "-91.0 is no latitude between the poles"),
-            (b"inf", "inf is no latitude between the poles"),
+            (b"-91", "latitude -91.0 is not between the poles"),
+            (b"inf", "latitude inf is not between the poles"),
             (b"1 2", "fields: 1 expected, 2 found"),
         ],
     );
