@@ -1,4 +1,4 @@
-//! Bilinear interpolation with the symmetries of the square in every bit.
+//! Bilinear interpolation whose results have the symmetries of the square, bit for bit.
 
 use crate::Real;
 

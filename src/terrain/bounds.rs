@@ -150,7 +150,8 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
             self.across(sines(p, q).map(|s| s - from), angle, heights)
         });
         let third = self.outward(angle, heights);
-        let rest = T::of(16.0) * T::EPSILON * (self.ground.largest + max(heights.low().abs(), heights.high().abs()));
+        let height = max(heights.low().abs(), heights.high().abs());
+        let rest = T::of(16.0) * T::EPSILON * (self.ground.largest + height);
         let half = T::of(0.5);
         let mut centre = face.to_local(foot);
         let mut extent = [T::ZERO; 3];

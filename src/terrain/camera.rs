@@ -117,7 +117,8 @@ impl<T: Real> Camera<T> {
         let rest = [w, w + x, w + x, w + y, w + y];
         let few = T::of(8.0) * T::EPSILON;
         let (mut low, mut high) = (-T::ONE - few, T::ONE + few);
-        for ((((inside, rest), across), along), rise) in inside.into_iter().zip(rest).zip(across).zip(along).zip(rise) {
+        let sides = inside.into_iter().zip(rest).zip(across).zip(along).zip(rise);
+        for ((((inside, rest), across), along), rise) in sides {
             // How far the corner of the middle slice that is farthest inside this side of the view is inside
             // it.
             let reach = inside + across.abs() + along.abs() + few * rest;
@@ -207,7 +208,7 @@ impl<T: fmt::Debug> fmt::Display for InvalidCamera<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Matrix(entry) => write!(f, "expected a matrix of finite numbers, got {entry:?}"),
-            Self::Pixels(count) => write!(f, "expected a positive, finite number of pixels, got {count:?}"),
+            Self::Pixels(count) => write!(f, "expected a positive, finite size in pixels, got {count:?}"),
         }
     }
 }

@@ -76,8 +76,8 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
         // Eight triangles. The areas of the two orientations are added up separately: beyond the horizon a
         // tile turns its back.
         let (mut areas, mut walls) = ([T::ZERO; 2], T::ZERO);
-        for ([top, here, foot], [next_top, next, next_foot]) in nodes.into_iter().zip(nodes.into_iter().cycle().skip(1))
-        {
+        let following = nodes.into_iter().cycle().skip(1);
+        for ([top, here, foot], [next_top, next, next_foot]) in nodes.into_iter().zip(following) {
             let area = turn(centre, here, centre, next);
             let [front, back] = &mut areas;
             *front += max(area, T::ZERO);

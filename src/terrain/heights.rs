@@ -64,7 +64,7 @@ impl<T: fmt::Debug> fmt::Display for InvalidHeights<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "expected finite heights, the lowest first, got {:?} and {:?}",
+            "expected finite heights with low ≤ high, got {:?} and {:?}",
             self.low, self.high
         )
     }

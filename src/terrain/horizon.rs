@@ -30,7 +30,9 @@ use crate::{Ecef, Ellipsoid, Real};
 /// use terrella::{Ellipsoid, Geodetic, LatLon};
 ///
 /// let earth = Ellipsoid::<f64>::WGS84;
-/// let at = |lat, lon, height| Ok::<_, Box<dyn std::error::Error>>(earth.to_ecef(Geodetic::new(LatLon::new(lat, lon)?, height)?));
+/// let at = |lat, lon, height| -> Result<_, Box<dyn std::error::Error>> {
+///     Ok(earth.to_ecef(Geodetic::new(LatLon::new(lat, lon)?, height)?))
+/// };
 /// // From 1000 m the horizon is 113 km away.
 /// let horizon = Horizon::new(earth, 0.0, at(45.0, 7.0, 1000.0)?);
 /// assert!(!horizon.hides(at(46.0, 7.0, 0.0)?));

@@ -270,7 +270,7 @@ impl fmt::Display for InvalidToken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Length(length) => write!(f, "expected a token of 1 to 16 bytes, got {length}"),
-            Self::Digit(character) => write!(f, "{character:?} is not a digit in base 16"),
+            Self::Digit(character) => write!(f, "{character:?} is not a hexadecimal digit"),
             Self::Key(key) => key.fmt(f),
         }
     }

@@ -36,10 +36,11 @@ const MOST: u32 = 4097;
 /// let (mut ox, mut oy, mut oz) = ([0.0; 81], [0.0; 81], [0.0; 81]);
 /// let (mut nx, mut ny, mut nz) = ([0.0; 81], [0.0; 81], [0.0; 81]);
 /// patches.fill(tile, sea, 9, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])?;
-/// // In the middle of this tile of 36 km the ground bulges by 42 m, and by 128 m along itself: the grid's lines bend.
+/// // In the middle of this tile, 36 km wide, the displacement is 42 m upward, and 128 m along the ground
+/// // because the grid lines bend.
 /// assert!((ox[40] - 42.0).abs() < 1.0 && (nx[40] - 0.997).abs() < 0.002);
 /// assert!((oy[40].hypot(oz[40]) - 128.0).abs() < 2.0);
-/// // In the corners there is nothing left.
+/// // At the corners the displacement is zero.
 /// assert_eq!((ox[0], oy[8], oz[80]), (0.0, 0.0, 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -96,9 +97,6 @@ impl<P: CubeProjection> Patches<P> {
     /// # Errors
     /// [`InvalidPatch`] if `samples` is not 2 to 4097, or if a slice does not have `samples`² elements.
     /// Nothing is written then.
-    ///
-    /// # Errors
-    /// [`InvalidPatch`] for less than 2 samples or more than 4097, and for a slice that is not of `samples`² elements; nothing is written then.
     pub fn fill(
         &self,
         tile: Tile,
@@ -437,7 +435,7 @@ impl fmt::Display for InvalidPatch {
         match self {
             Self::Samples(samples) => write!(f, "expected 2 to {MOST} samples along an edge, got {samples}"),
             Self::Length { expected, length } => {
-                write!(f, "expected slices of {expected} elements, got one of {length}")
+                write!(f, "expected slices of {expected} elements, got a slice of {length}")
             }
         }
     }

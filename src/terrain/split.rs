@@ -3,9 +3,9 @@ use crate::Ecef;
 /// A point in double precision as the sum of two points in single precision, for a shader that draws fixed
 /// vertices seen by a moving camera.
 ///
-/// The sum of the two parts is within 2⁻⁴⁹ of the larger part of each coordinate, plus 2⁻¹²⁵ m, for
-/// coordinates up to 10³⁸ m. On the Earth's surface that is 6 nm; single precision alone has 0.25 m.
-/// (Ohlarik, *Precisions, precisions*, 2008.)
+/// The sum of the two parts differs from each coordinate by at most 2⁻⁴⁹ of it, or by 2⁻¹²⁵ m where that is
+/// larger, for coordinates up to 10³⁸ m. On the Earth's surface that is 6 nm; single precision alone has 0.25
+/// m. (Ohlarik, *Precisions, precisions*, 2008.)
 ///
 /// ```
 /// use terrella::Ecef;

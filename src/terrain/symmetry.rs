@@ -35,7 +35,7 @@ impl Tile {
     /// use terrella::terrain::Tile;
     /// let (representative, symmetry) = Tile::new(Face::Bottom, 3, 4, 0)?.representative();
     /// assert_eq!(representative, Tile::new(Face::Top, 3, 7, 4)?);
-    /// // Beside column 0 of row 0 of a grid of 5 × 5 on the bottom lies
+    /// // Column 0 of row 0 of a 5 × 5 grid on the bottom corresponds to column 4 of row 0 there.
     /// assert_eq!(symmetry.place([0, 0], 5), [4, 0]);
     /// # Ok::<(), terrella::terrain::InvalidTile>(())
     /// ```
@@ -129,7 +129,8 @@ impl Symmetry {
     /// let (representative, symmetry) = tile.representative();
     /// let fill = |tile| {
     ///     let (mut o, mut n) = ([[0.0; 16]; 3], [[0.0; 16]; 3]);
-    ///     patches.fill(tile, Base::default(), 4, o.each_mut().map(|o| &mut o[..]), n.each_mut().map(|n| &mut n[..])).map(|_| o)
+    ///     let (into_o, into_n) = (o.each_mut().map(|o| &mut o[..]), n.each_mut().map(|n| &mut n[..]));
+    ///     patches.fill(tile, Base::default(), 4, into_o, into_n).map(|_| o)
     /// };
     /// let mut carried = [[0.0; 16]; 3];
     /// let known = fill(representative)?;

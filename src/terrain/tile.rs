@@ -191,7 +191,10 @@ impl Tile {
     pub const fn contains(self, other: Self) -> bool {
         match other.level.checked_sub(self.level) {
             None => false,
-            Some(down) => self.face as u8 == other.face as u8 && other.i >> down == self.i && other.j >> down == self.j,
+            Some(down) => {
+                let (i, j) = (other.i >> down, other.j >> down);
+                self.face as u8 == other.face as u8 && i == self.i && j == self.j
+            }
         }
     }
 

@@ -87,12 +87,14 @@ impl Vertices {
     /// let tile = Tile::new(Face::Front, 12, 2050, 2060)?;
     /// let base = Base::new([1_500.0, 1_400.0, 1_300.0, 1_600.0])?;
     /// let patch = patches.fill(tile, base, 5, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])?;
-    /// let heights: [f32; 25] = std::array::from_fn(|k| (1_420.0 - base.at([k as u32 % 5, k as u32 / 5], 5)) as f32);
+    /// let above = |k: usize| 1_420.0 - base.at([k as u32 % 5, k as u32 / 5], 5);
+    /// let heights: [f32; 25] = std::array::from_fn(|k| above(k) as f32);
     /// // Once per frame:
     /// let seen = patch.seen_from(Ecef::new(6_380_000.0, 3_000.0, 20_000.0)?);
     /// let (mut x, mut y, mut z) = ([0.0; 25], [0.0; 25], [0.0; 25]);
     /// seen.fill(5, [&ox, &oy, &oz], [&nx, &ny, &nz], &heights, [&mut x, &mut y, &mut z])?;
-    /// assert_eq!([x[7], y[7], z[7]], seen.at([2, 1], 5, [ox[7], oy[7], oz[7]], [nx[7], ny[7], nz[7]], heights[7]));
+    /// let vertex = seen.at([2, 1], 5, [ox[7], oy[7], oz[7]], [nx[7], ny[7], nz[7]], heights[7]);
+    /// assert_eq!([x[7], y[7], z[7]], vertex);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

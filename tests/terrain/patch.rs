@@ -561,7 +561,7 @@ fn what_is_no_patch_is_refused() {
         Err(wrong)
     );
     assert!(o.iter().flatten().all(|&v| v == 0.0));
-    assert_eq!(wrong.to_string(), "expected slices of 9 elements, got one of 8");
+    assert_eq!(wrong.to_string(), "expected slices of 9 elements, got a slice of 8");
     assert_eq!(
         InvalidPatch::Samples(1).to_string(),
         "expected 2 to 4097 samples along an edge, got 1"
