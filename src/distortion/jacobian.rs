@@ -100,8 +100,8 @@ impl<T: Real> Jacobian<T> {
     #[must_use]
     #[inline(always)]
     pub fn deformation(&self) -> T {
-        // All terms are divided by half of the sum of the squares of the semi-axes, in the plane of by_x and
-        // by_y.
+        // For the ellipse that by_x and by_y span, with semi-axes p ≥ q: the root below is p² − q², and `sum`
+        // is (p + q)².
         let [a, b] = self.by_x;
         let [c, d] = self.by_y;
         let two = T::of(2.0);

@@ -33,8 +33,9 @@
 //!   times.
 //! * **Equal areas:** [`Vertex`] keeps areas to rounding, with ω 20.3° and creases of 5°, at 3.5 and 3.1
 //!   times the cost.
-//! * **Equal areas, as others define them:** [`Quadrilateralized`] and [`Healpix`] keep areas to rounding,
-//!   with ω 25.2° and 49.3° and creases on the diagonals, at 1.6 to 2.4 and 1.9 to 4.2 times the cost.
+//! * **Equal areas, as others define them:** [`Quadrilateralized`] has ω 25.2°, at 2.4 and 1.6 times the
+//!   cost; [`Healpix`] has ω 49.3°, at 4.2 and 1.9 times. Both keep areas to rounding and have creases on the
+//!   diagonals.
 //! * **Nearly equal areas, cheaply:** [`Algebraic`] has an area ratio of 1.268 and closed forms both ways; ε
 //!   is 2.71, at 2.1 and 1.8 times the cost.
 //! * **True angles:** [`Conformal`] has ω 0. Its scale vanishes at the corners; the cost is 10 and 5.8 times.
@@ -44,8 +45,8 @@
 //!   ω is 33.5°. It goes to the cube by Newton's method, at 7 times the cost, and back at 1.1 times.
 //! * **One function for each coordinate:** [`Separable`] has ε 1.587, the least that such a map can have. It
 //!   uses atan and tan, at 4.9 and 1.9 times the cost.
-//! * **Speed both ways:** [`Tangential`], at 1 times the cost and ε 4.50; then [`S2Quadratic`], at 1.4 to 2.3
-//!   times the cost and ε 2.10.
+//! * **Speed both ways:** [`Tangential`], at 1 times the cost and ε 4.50; then [`S2Quadratic`], at 2.3 and
+//!   1.4 times the cost and ε 2.10.
 //! * **A shader that goes from the map to the ground:** [`Balanced`], [`Square`] and [`Outerra`] need only `+
 //!   − × ÷` and one square root in this direction, no transcendental function. Their expensive direction,
 //!   from the planet to the cube, runs on the host.

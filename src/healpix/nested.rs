@@ -179,7 +179,8 @@ impl Pixel {
         let apart = whole(x.abs_diff(y));
         let east = (select(x < y, -apart, apart) + (dx - dy)) / across;
         let (row, column) = (base / 4, base % 4);
-        // Measured from the equator, or from the pole, depending on the half of the base pixel.
+        // `height` counts from the equator and `outward` from the pole: each serves the half of the base
+        // pixel next to it.
         let (height, outward) = match row {
             0 => (south, north),
             1 => (south - one, one),

@@ -22,7 +22,7 @@
 //! | [`Horizon`] | horizon culling: what the planet itself hides |
 //! | [`Selection`] | the tiles to draw: one for each visible place, as coarse as [`Detail`] allows |
 //!
-//! It then draws them in single precision, which on the Earth's surface has steps of half a metre:
+//! A renderer then draws them in single precision, which on the Earth's surface has steps of half a metre:
 //!
 //! | | |
 //! |---|---|

@@ -1,4 +1,4 @@
-//! Standard HEALPix: against 25 digits, with which healpy and cdshealpix agree, and against itself.
+//! Standard HEALPix against truth of 25 digits, with which healpy and cdshealpix agree, and against itself.
 #![allow(
     missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests

@@ -1,4 +1,5 @@
-//! Boxes and spheres: that they contain what they should, how much more they contain, and what their proof takes from the projections.
+//! Bounding boxes and spheres: that they contain their tiles, how much larger they are, and the property of
+//! projections that their proof relies on.
 
 use fastrand::Rng;
 use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! Patches: vertices in single precision against the truth, how flat tiles are, and what the symmetries say.
+//! Patches: vertices in single precision against the truth, the flatness of tiles, and their symmetries.
 
 use fastrand::Rng;
 use rayon::prelude::*;

@@ -1,4 +1,4 @@
-//! The selection, against rays through pixels: what each of them meets is in one of the tiles, and in one only.
+//! Selections against rays through pixels: the place that a ray meets is in exactly one of the tiles.
 
 use fastrand::Rng;
 use rayon::prelude::*;
