@@ -6,7 +6,7 @@ use crate::cube::{CubeMap, CubeProjection, Face, FacePoint};
 use crate::latitude::{Turn, normal};
 use crate::{Direction, Dual, Ellipsoid, Real, Shifted};
 
-/// The planet under the faces of a cube map: places and derivatives, in metres.
+/// The map from the faces of a cube map to the ground (the ellipsoid), with its derivatives, in metres.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, FacePoint, Tangential};
@@ -27,7 +27,7 @@ pub struct Ground<T, P> {
 }
 
 impl<T: Real, P: CubeProjection> Ground<T, P> {
-    /// Of a cube map.
+    /// Creates the ground of a cube map.
     #[must_use]
     pub fn new(map: CubeMap<T, P>) -> Self {
         Self {
@@ -36,31 +36,36 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
         }
     }
 
-    /// The cube map.
+    /// Returns the cube map.
     #[must_use]
     pub fn map(&self) -> CubeMap<T, P> {
         self.map
     }
 
-    /// The map's step from sphere to ellipsoid, with derivatives.
+    /// The map's step from sphere to ellipsoid, on dual numbers.
     pub(super) fn lifted(&self) -> &Shifted<Dual<T, 2>> {
         &self.lifted
     }
 
-    /// The ellipsoid.
+    /// Returns the ellipsoid.
     #[must_use]
     pub fn ellipsoid(&self) -> Ellipsoid<T> {
         self.map.shifted().ellipsoid()
     }
 
-    /// The derivative of the ground by the coordinates of the face, by dual numbers.
+    /// Returns the derivative of the point on the ground with respect to the coordinates of the face,
+    /// computed with dual numbers.
     ///
-    /// On a crease, as the quadrilateralized cube has on its diagonals, it is that of one side. Slopes are within 2e-15 (`f64`) or 5e-7 (`f32`) of the longest, areas within 3e-15
-    /// or 8e-7 of themselves.
+    /// On a crease (the diagonals of the quadrilateralized cube's faces) it is the derivative on one of the
+    /// two sides. Slopes are within 2e-15 (`f64`) or 5e-7 (`f32`) of the longest slope; areas have a relative
+    /// error of at most 3e-15 or 8e-7.
     ///
     /// # Errors
-    /// [`Singular`] where the map has no derivative that could be inverted: the centre of the quadrilateralized face and of HEALPix's polar
-    /// ones, the corners of the vertex and conformal cubes.
+    /// [`Singular`] where the map has no derivative, or one that is not invertible: at the centre of the
+    /// quadrilateralized cube's faces and of HEALPix's polar faces, and at the corners of the vertex and
+    /// conformal cubes.
+    #[doc(alias = "derivative")]
+    #[doc(alias = "automatic differentiation")]
     pub fn jacobian(&self, point: FacePoint<T>) -> Result<Jacobian<T>, Singular<T>> {
         let direction = direction(self.map.projection(), point.face(), [point.x(), point.y()]);
         let [_, correction] = self.lifted.corrections();
@@ -72,10 +77,14 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
         }
     }
 
-    /// The quotients of central differences over twice the step, as Dimitrijević, Lambers & Rančić (2016) take them with 10⁻⁶.
+    /// Returns the derivative of the ground as central difference quotients: differences over 2 · `step`, as
+    /// Dimitrijević, Lambers & Rančić (2016) compute them with a step of 10⁻⁶.
     ///
-    /// Coordinates may be up to a step beyond the face, where the face's own formula is continued. Across a crease it is the mean of both sides.
-    /// The differences are chords: shorter than arcs by 4e-14 of them for that step.
+    /// `x`, `y` ∈ [−1, 1]. The points used may lie up to one step beyond the face; the face's own formula is
+    /// continued there. Across a crease the result is the mean of both sides. The differences are chords: for
+    /// that step they are shorter than the arcs by 4e-14 of their length.
+    #[doc(alias = "finite differences")]
+    #[doc(alias = "central differences")]
     #[must_use]
     pub fn differences(&self, face: Face, [x, y]: [T; 2], step: T) -> Jacobian<T> {
         let normal = |x: T, y: T| {
@@ -100,9 +109,10 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
         )
     }
 
-    /// Λ₀² of the paper: width times height of the texel in the middle of the front, in square metres per unit of x and of y.
+    /// Returns Λ₀² of the paper: width times height of the texel in the middle of the front face, in square
+    /// metres per unit of x and of y.
     ///
-    /// The texel lies across whatever creases meet there.
+    /// Where creases meet in the middle, the texel lies across them.
     #[must_use]
     pub fn central_texel(&self) -> T {
         self.differences(Face::Front, [T::ZERO; 2], T::pick(1e-6, 1e-3)).sides()
@@ -111,11 +121,15 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
 
 /// The direction of a point of a face, with its derivatives.
 #[inline(always)]
-pub(super) fn direction<T: Real, P: CubeProjection>(projection: P, face: Face, point: [T; 2]) -> [Dual<T, 2>; 3] {
+pub(super) fn direction<T, P>(projection: P, face: Face, point: [T; 2]) -> [Dual<T, 2>; 3]
+where
+    T: Real,
+    P: CubeProjection,
+{
     face.to_earth(projection.inverse(face, Dual::variables(point)))
 }
 
-/// The derivative of the ground where a direction leads, whatever it is.
+/// The derivative of the ground at a direction; it may be singular.
 #[inline(always)]
 pub(super) fn jacobian<T: Real>(
     ellipsoid: Ellipsoid<Dual<T, 2>>,
@@ -126,14 +140,15 @@ pub(super) fn jacobian<T: Real>(
     Jacobian::in_tangent_plane(normal.to_array().map(Dual::value), slopes(ellipsoid.foot(normal)))
 }
 
-/// The derivatives of a vector's components by each variable.
+/// The derivatives of a vector's components with respect to each variable.
 #[inline(always)]
 fn slopes<T: Real>(vector: [Dual<T, 2>; 3]) -> [[T; 3]; 2] {
     let [[ax, ay], [bx, by], [cx, cy]] = vector.map(Dual::slopes);
     [[ax, bx, cx], [ay, by, cy]]
 }
 
-/// A place where a map has no derivative, or one that cannot be inverted.
+/// The error of [`Ground::jacobian`]: at this point the map has no derivative, or one that cannot be
+/// inverted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Singular<T>(pub FacePoint<T>);

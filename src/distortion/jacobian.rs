@@ -1,10 +1,11 @@
 use crate::Real;
 use crate::math::{atan2_degrees, min, select};
 
-/// The derivative of the ground by the coordinates of a face: where a step of x and a step of y lead, toward east and toward north, in
-/// metres per unit.
+/// The derivative of the point on the ground with respect to the coordinates of a face: how far a step of x
+/// and a step of y lead to the east and to the north, in metres per unit.
 ///
-/// From [`Ground::jacobian`](super::Ground::jacobian) or [`Ground::differences`](super::Ground::differences).
+/// It comes from [`Ground::jacobian`](super::Ground::jacobian) or
+/// [`Ground::differences`](super::Ground::differences).
 ///
 /// ```
 /// use terrella::distortion::Jacobian;
@@ -17,14 +18,15 @@ use crate::math::{atan2_degrees, min, select};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Jacobian<T> {
-    /// A step of x: metres to the east and to the north, per unit.
+    /// The derivative with respect to x: metres to the east and to the north, per unit of x.
     pub by_x: [T; 2],
-    /// A step of y: metres to the east and to the north, per unit.
+    /// The derivative with respect to y: metres to the east and to the north, per unit of y.
     pub by_y: [T; 2],
 }
 
 impl<T: Real> Jacobian<T> {
-    /// From derivatives in Earth axes, where this is the outward normal; at a pole north is away from longitude 0.
+    /// Creates it from derivatives along Earth axes at a point with this outward normal. At a pole, north is
+    /// the direction away from longitude 0.
     #[inline(always)]
     pub(super) fn in_tangent_plane([x, y, z]: [T; 3], slopes: [[T; 3]; 2]) -> Self {
         let axial = (x * x + y * y).sqrt();
@@ -38,36 +40,39 @@ impl<T: Real> Jacobian<T> {
         Self { by_x, by_y }
     }
 
-    /// Λx: the length on the ground of a step of x, in metres per unit.
+    /// Returns Λx: the length on the ground of a step of x, in metres per unit.
     #[must_use]
     #[inline(always)]
     pub fn width(&self) -> T {
         length(self.by_x)
     }
 
-    /// Λy: the length on the ground of a step of y, in metres per unit.
+    /// Returns Λy: the length on the ground of a step of y, in metres per unit.
     #[must_use]
     #[inline(always)]
     pub fn height(&self) -> T {
         length(self.by_y)
     }
 
-    /// δ_aspect = Λx/Λy.
+    /// Returns the aspect ratio δ_aspect = Λx/Λy.
     #[must_use]
     #[inline(always)]
     pub fn aspect(&self) -> T {
         self.width() / self.height()
     }
 
-    /// Λx·Λy in square metres per unit of x and of y. Over [`Ground::central_texel`](super::Ground::central_texel) it is the paper's δ_area, which leaves out that the grid's lines
-    /// may be askew; [`area`](Self::area) does not.
+    /// Returns Λx·Λy, the product of a texel's sides, in square metres per unit of x and of y.
+    ///
+    /// Divided by [`Ground::central_texel`](super::Ground::central_texel) it is the paper's δ_area. It
+    /// ignores that the grid lines may not be perpendicular; [`area`](Self::area) takes that into account.
     #[must_use]
     #[inline(always)]
     pub fn sides(&self) -> T {
         self.width() * self.height()
     }
 
-    /// The area on the ground, in square metres per unit of x and of y.
+    /// Returns the area on the ground (the determinant), in square metres per unit of x and of y.
+    #[doc(alias = "determinant")]
     #[must_use]
     #[inline(always)]
     pub fn area(&self) -> T {
@@ -76,7 +81,7 @@ impl<T: Real> Jacobian<T> {
         a * d - b * c
     }
 
-    /// The angle on the ground between the directions of x and of y, in degrees, in [0, 180].
+    /// Returns the angle on the ground between the directions of x and y, in degrees, in [0, 180].
     #[must_use]
     #[inline]
     pub fn grid_angle(&self) -> T {
@@ -85,13 +90,18 @@ impl<T: Real> Jacobian<T> {
         atan2_degrees(self.area().abs(), a * c + b * d)
     }
 
-    /// Tissot's ω: the largest change of an angle between two directions, in degrees, in [0, 180].
+    /// Returns Tissot's ω, the maximum angular deformation: the largest change of an angle between two
+    /// directions, in degrees, in [0, 180].
     ///
-    /// sin(ω/2) = (a − b)/(a + b), without the difference: a conformal map has 0 but for rounding.
+    /// sin(ω/2) = (a − b)/(a + b) for the semi-axes a and b of Tissot's indicatrix. The formula used does not
+    /// subtract a and b, so a conformal map has 0 within rounding.
+    #[doc(alias = "angular distortion")]
+    #[doc(alias = "maximum angular deformation")]
     #[must_use]
     #[inline(always)]
     pub fn deformation(&self) -> T {
-        // In halves of the sum of the squares of the axes, on the plane of by_x and by_y.
+        // For the ellipse that by_x and by_y span, with semi-axes p ≥ q: the root below is p² − q², and `sum`
+        // is (p + q)².
         let [a, b] = self.by_x;
         let [c, d] = self.by_y;
         let two = T::of(2.0);
@@ -101,13 +111,15 @@ impl<T: Real> Jacobian<T> {
         two * atan2_degrees(sine, ((T::ONE - sine) * (T::ONE + sine)).sqrt())
     }
 
-    /// The smallest and the largest length on the ground, in metres per unit, of a step in any direction of the face.
+    /// Returns the smallest and the largest length on the ground of a unit step in any direction of the face
+    /// (the singular values), in metres per unit.
+    #[doc(alias = "singular values")]
     #[must_use]
     #[inline]
     pub fn extremes(&self) -> [T; 2] {
         let [a, b] = self.by_x;
         let [c, d] = self.by_y;
-        // Half the sum and half the difference of the singular values.
+        // Half of the sum and half of the difference of the singular values.
         let half = T::of(0.5);
         let sum = half * length([a + d, b - c]);
         let difference = half * length([a - d, b + c]);
@@ -115,7 +127,7 @@ impl<T: Real> Jacobian<T> {
     }
 }
 
-/// Whether a derivative with this area can be inverted.
+/// Whether a derivative with this area is invertible.
 #[inline(always)]
 pub(super) fn is_regular<T: Real>(area: T) -> bool {
     (area > T::ZERO) & area.is_finite()

@@ -1,8 +1,10 @@
-//! What a projection does to shapes and to texels, at a point and over whole faces.
+//! Distortion of shapes and of texels by a projection, at a point and over whole faces.
 //!
-//! [`Ground`] is the planet under the faces of a [`CubeMap`](crate::cube::CubeMap); its [`Jacobian`] at a point is the derivative of the
-//! very code that projects, run on [`Dual`](crate::Dual) numbers, for a projection that a user writes too. From it follow the measures of a
-//! texel, [`Tissot`]'s indicatrix, and by a [`Survey`] what is worst on a face. [`texture`] has what a renderer asks of them.
+//! [`Ground`] maps the faces of a [`CubeMap`](crate::cube::CubeMap) to the planet. Its [`Jacobian`] at a
+//! point is the derivative of the projection's own code, run on [`Dual`](crate::Dual) numbers; this works for
+//! a projection that you write, too. The measures of a texel and [`Tissot`]'s indicatrix follow from it, and
+//! a [`Survey`] finds the worst values on a face. [`texture`] computes the mipmap levels that a renderer
+//! needs.
 //!
 //! ```
 //! use terrella::cube::{CubeMap, Face, FacePoint, Outerra};
@@ -22,22 +24,48 @@
 //!
 //! # Which projection for what
 //!
-//! From surveys of the sphere; ε is the texture oversize, ω the largest angular deformation. Time is that of [`batch`](crate::batch), in `f64` with
-//! AVX-512, in units of the tangential cube's, as measured for `docs/frontier`.
+//! The figures come from surveys of the sphere. ε is the texture oversize, ω the maximum angular deformation.
+//! Times are those of [`batch`](crate::batch) in `f64` with AVX-512, relative to the tangential cube, as
+//! measured for `docs/frontier`: first from the planet to the cube, then back.
 //!
-//! | wanted | take | what it gives | and what it costs |
-//! |---|---|---|---|
-//! | the least texture memory for the worst texel | [`Balanced`](crate::cube::Balanced) | ε 1.405; the paper's best, [`Adjusted`](crate::cube::Adjusted), has 2.000 | to the cube by Newton's method, 5.1 times; back 1.1 times |
-//! | equal areas | [`Vertex`](crate::cube::Vertex) | areas to rounding, ω 20.3°, creases of 5° | 3.5 and 3.1 times |
-//! | equal areas, as others have them | [`Quadrilateralized`](crate::cube::Quadrilateralized), [`Healpix`](crate::cube::Healpix) | areas to rounding | ω 25.2° and 49.3°, creases on the diagonals; 1.6 to 2.4 and 1.9 to 4.2 times |
-//! | nearly equal areas, cheaply | [`Algebraic`](crate::cube::Algebraic) | area ratio 1.268, closed form both ways | ε 2.71; 2.1 and 1.8 times |
-//! | true angles | [`Conformal`](crate::cube::Conformal) | ω 0 | the scale vanishes at the corners; 10 and 5.8 times |
-//! | small ω without that | [`Vertex`](crate::cube::Vertex) | 20.3°; no map that is smooth and symmetric about the diagonal can stay under 31.08°, since 90° become 120° at a corner | as above |
-//! | square texels | [`Square`](crate::cube::Square) | aspect ratio 1.013, area ratio 2.23 (Outerra's: 3.57) | ω 33.5°; to the cube by Newton's method, 7 times; back 1.1 times |
-//! | one function for each coordinate | [`Separable`](crate::cube::Separable) | ε 1.587, the least that such a map can have | atan and tan, 4.9 and 1.9 times |
-//! | speed both ways | [`Tangential`](crate::cube::Tangential), then [`S2Quadratic`](crate::cube::S2Quadratic) | 1 and 1.4 to 2.3 times | ε 4.50 and 2.10 |
-//! | a shader that goes from the map to the ground | [`Balanced`](crate::cube::Balanced), [`Square`](crate::cube::Square), [`Outerra`](crate::cube::Outerra) | `+ − × ÷`, one root, no transcendental function | forward, on the host, is the dear direction |
-//! | a shader that goes both ways | [`S2Quadratic`](crate::cube::S2Quadratic), [`Algebraic`](crate::cube::Algebraic), [`Cartesian`](crate::cube::Cartesian) | `÷` and `√` only, no iteration | ε 2.10, 2.71, 3.00 |
+//! * **The least texture memory for the worst texel:** [`Balanced`] has ε 1.405; the paper's best,
+//!   [`Adjusted`], has 2.000. It goes to the cube by Newton's method, at 5.1 times the cost, and back at 1.1
+//!   times.
+//! * **Equal areas:** [`Vertex`] keeps areas to rounding, with ω 20.3° and creases of 5°, at 3.5 and 3.1
+//!   times the cost.
+//! * **Equal areas, as others define them:** [`Quadrilateralized`] has ω 25.2°, at 2.4 and 1.6 times the
+//!   cost; [`Healpix`] has ω 49.3°, at 4.2 and 1.9 times. Both keep areas to rounding and have creases on the
+//!   diagonals.
+//! * **Nearly equal areas, cheaply:** [`Algebraic`] has an area ratio of 1.268 and closed forms both ways; ε
+//!   is 2.71, at 2.1 and 1.8 times the cost.
+//! * **True angles:** [`Conformal`] has ω 0. Its scale vanishes at the corners; the cost is 10 and 5.8 times.
+//! * **Small ω without a vanishing scale:** [`Vertex`], with 20.3°. A map that is smooth and symmetric about
+//!   the diagonal cannot stay under 31.08°, since angles of 90° become 120° at a corner.
+//! * **Square texels:** [`Square`] has an aspect ratio of 1.013 and an area ratio of 2.23 (Outerra's: 3.57);
+//!   ω is 33.5°. It goes to the cube by Newton's method, at 7 times the cost, and back at 1.1 times.
+//! * **One function for each coordinate:** [`Separable`] has ε 1.587, the least that such a map can have. It
+//!   uses atan and tan, at 4.9 and 1.9 times the cost.
+//! * **Speed both ways:** [`Tangential`], at 1 times the cost and ε 4.50; then [`S2Quadratic`], at 2.3 and
+//!   1.4 times the cost and ε 2.10.
+//! * **A shader that goes from the map to the ground:** [`Balanced`], [`Square`] and [`Outerra`] need only `+
+//!   − × ÷` and one square root in this direction, no transcendental function. Their expensive direction,
+//!   from the planet to the cube, runs on the host.
+//! * **A shader that goes both ways:** [`S2Quadratic`], [`Algebraic`] and [`Cartesian`] use only `÷` and `√`,
+//!   without iteration; ε is 2.10, 2.71 and 3.00.
+//!
+//! [`Balanced`]: crate::cube::Balanced
+//! [`Adjusted`]: crate::cube::Adjusted
+//! [`Vertex`]: crate::cube::Vertex
+//! [`Quadrilateralized`]: crate::cube::Quadrilateralized
+//! [`Healpix`]: crate::cube::Healpix
+//! [`Algebraic`]: crate::cube::Algebraic
+//! [`Conformal`]: crate::cube::Conformal
+//! [`Square`]: crate::cube::Square
+//! [`Separable`]: crate::cube::Separable
+//! [`Tangential`]: crate::cube::Tangential
+//! [`S2Quadratic`]: crate::cube::S2Quadratic
+//! [`Outerra`]: crate::cube::Outerra
+//! [`Cartesian`]: crate::cube::Cartesian
 
 mod ground;
 mod jacobian;

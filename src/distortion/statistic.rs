@@ -2,10 +2,12 @@ use crate::Real;
 use crate::cube::FacePoint;
 use crate::math::{max, min, select};
 
-/// Running results kept side by side, so that the loop vectorises with the same bits on every machine.
+/// The number of partial results that are kept side by side, so that the loop vectorises and gives the same
+/// bits on every machine.
 const LANES: usize = 8;
 
-/// Smallest and largest value with their places, mean, and deviation from what would be ideal.
+/// An accumulator of values at points of the cube: minimum and maximum with their points, mean, and root mean
+/// square deviation from an ideal value.
 ///
 /// ```
 /// use terrella::cube::{Face, FacePoint};
@@ -38,7 +40,7 @@ struct Extreme<T> {
 }
 
 impl<T: Real> Statistic<T> {
-    /// Of nothing yet; of values that would all be `ideal`.
+    /// Creates an empty accumulator; deviations are measured from `ideal`.
     #[must_use]
     pub fn about(ideal: T) -> Self {
         Self {
@@ -51,7 +53,7 @@ impl<T: Real> Statistic<T> {
         }
     }
 
-    /// Includes a value and its place. NaN is no extreme, and makes the mean NaN.
+    /// Includes a value and its point. A NaN is never the minimum or maximum; it makes the mean NaN.
     #[inline(always)]
     pub fn include(&mut self, at: FacePoint<T>, value: T) {
         self.extend(Extreme { value, at });
@@ -61,7 +63,7 @@ impl<T: Real> Statistic<T> {
         self.squares.add(deviation * deviation);
     }
 
-    /// Includes the values of places side by side, each with its x.
+    /// Includes the values of points side by side; `at` returns the point of an x.
     #[inline(always)]
     pub(super) fn include_row(&mut self, at: impl Fn(T) -> FacePoint<T>, xs: &[T], values: &[T]) {
         let infinity = T::of(f64::INFINITY);
@@ -84,8 +86,10 @@ impl<T: Real> Statistic<T> {
         self.deviations.add(sum(deviations));
         self.squares.add(sum(squares));
 
-        let new_least = least.into_iter().fold(infinity, min) < self.smallest.map_or(infinity, |old| old.value);
-        let new_most = most.into_iter().fold(-infinity, max) > self.largest.map_or(-infinity, |old| old.value);
+        let least = least.into_iter().fold(infinity, min);
+        let most = most.into_iter().fold(-infinity, max);
+        let new_least = least < self.smallest.map_or(infinity, |old| old.value);
+        let new_most = most > self.largest.map_or(-infinity, |old| old.value);
         if new_least | new_most {
             for (&x, &value) in xs.iter().zip(values) {
                 self.extend(Extreme { value, at: at(x) });
@@ -96,7 +100,7 @@ impl<T: Real> Statistic<T> {
         }
     }
 
-    /// Includes what another statistic of the same kind has seen.
+    /// Includes all values that another accumulator has. Both must have the same ideal value.
     pub fn merge(&mut self, other: &Self) {
         for extreme in other.smallest.into_iter().chain(other.largest) {
             self.extend(extreme);
@@ -110,6 +114,7 @@ impl<T: Real> Statistic<T> {
         }
     }
 
+    /// Updates the minimum and the maximum.
     #[inline(always)]
     fn extend(&mut self, new: Extreme<T>) {
         let infinity = T::of(f64::INFINITY);
@@ -119,56 +124,59 @@ impl<T: Real> Statistic<T> {
         self.largest = select(above, Some(new), self.largest);
     }
 
-    /// The smallest value; NaN of none.
+    /// Returns the smallest value, or NaN if there are no values.
     #[must_use]
     pub fn min(&self) -> T {
         self.smallest.map_or(T::of(f64::NAN), |extreme| extreme.value)
     }
 
-    /// The largest value; NaN of none.
+    /// Returns the largest value, or NaN if there are no values.
     #[must_use]
     pub fn max(&self) -> T {
         self.largest.map_or(T::of(f64::NAN), |extreme| extreme.value)
     }
 
-    /// Where the smallest value was first seen.
+    /// Returns the point at which the smallest value was first seen, or `None` if there are no values.
     #[must_use]
     pub fn min_at(&self) -> Option<FacePoint<T>> {
         self.smallest.map(|extreme| extreme.at)
     }
 
-    /// Where the largest value was first seen.
+    /// Returns the point at which the largest value was first seen, or `None` if there are no values.
     #[must_use]
     pub fn max_at(&self) -> Option<FacePoint<T>> {
         self.largest.map(|extreme| extreme.at)
     }
 
-    /// The largest over the smallest value.
+    /// Returns the largest value divided by the smallest value.
     #[must_use]
     pub fn ratio(&self) -> T {
         self.max() / self.min()
     }
 
-    /// How many values.
+    /// Returns the number of values.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// The arithmetic mean; NaN of none.
+    /// Returns the arithmetic mean, or NaN if there are no values.
     #[must_use]
     pub fn mean(&self) -> T {
         self.ideal + self.deviations.total / T::whole(self.count)
     }
 
-    /// The root of the mean square of the deviations from the ideal; NaN of none.
+    /// Returns the root mean square deviation from the ideal value, or NaN if there are no values.
+    #[doc(alias = "RMS")]
+    #[doc(alias = "root mean square deviation")]
     #[must_use]
     pub fn rmsd(&self) -> T {
         (self.squares.total / T::whole(self.count)).sqrt()
     }
 }
 
-/// A sum that carries on what its rounding loses (Kahan, with Knuth's exact sum), so that millions of `f32` add up.
+/// A compensated sum: it carries the rounding error to the next addition (Kahan, with Knuth's exact sum), so
+/// that millions of `f32` add up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Sum<T> {

@@ -7,10 +7,11 @@ use crate::math::{max, min};
 use crate::simd::{BLOCK, Kernel, sweep};
 use crate::{Dual, Ellipsoid, Real, Shifted};
 
-/// What is worst and what is usual over any set of places: an accumulator of fixed size.
+/// An accumulator of distortion measures over any set of points: the worst and the mean values. Its size is
+/// fixed.
 ///
-/// Areas are told in units of the `reference` it was made with: Λ₀², the paper's central texel, is
-/// [`Ground::central_texel`].
+/// Areas are in units of the `reference` that the survey was created with. For Λ₀², the paper's central
+/// texel, use [`Ground::central_texel`].
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -37,7 +38,7 @@ pub struct Survey<T> {
 }
 
 impl<T: Real> Survey<T> {
-    /// Of nothing yet; areas will be told in units of `reference`, in square metres per unit of x and of y.
+    /// Creates an empty survey. `reference` is the unit for areas, in square metres per unit of x and of y.
     #[must_use]
     pub fn new(reference: T) -> Self {
         Self {
@@ -50,7 +51,7 @@ impl<T: Real> Survey<T> {
         }
     }
 
-    /// Includes a place.
+    /// Includes a point and the derivative of the ground there.
     #[inline]
     pub fn include(&mut self, point: FacePoint<T>, texel: &Jacobian<T>) {
         self.take(point, measures(texel, self.reference));
@@ -77,6 +78,7 @@ impl<T: Real> Survey<T> {
         }
     }
 
+    /// Includes the four measures of a point.
     fn take(&mut self, point: FacePoint<T>, [aspect, sides, area, deformation]: [T; 4]) {
         self.aspect.include(point, aspect);
         self.sides.include(point, sides);
@@ -84,9 +86,11 @@ impl<T: Real> Survey<T> {
         self.deformation.include(point, deformation);
     }
 
-    /// Includes n × n places of a face, at x and y of −1 + 2i/n for i from 0 to n − 1: each texel once, and by symmetry the edges.
+    /// Includes n × n points of a face, at x and y of −1 + 2i/n for i from 0 to n − 1. The edges
+    /// at x = 1 and y = 1 are left out, so that each texel counts once; by symmetry those at −1 represent
+    /// them.
     ///
-    /// Those where the map has no derivative are left out and counted.
+    /// Points where the map has no derivative are left out and counted in [`skipped`](Self::skipped).
     pub fn face<P: CubeProjection>(&mut self, ground: &Ground<T, P>, face: Face, n: u32) {
         ground.map().projection().with(Rows {
             survey: self,
@@ -96,16 +100,18 @@ impl<T: Real> Survey<T> {
         });
     }
 
-    /// Includes n × n places of each face: for any projection, whichever of its faces differ.
+    /// Includes n × n points of each of the six faces. This works for any projection, even if all its faces
+    /// differ.
     ///
-    /// For those of this crate the front stands for the sides, and the top for the bottom.
+    /// For the projections of this crate it is enough to survey the front for all side faces and the top for
+    /// both polar ones.
     pub fn sphere<P: CubeProjection>(&mut self, ground: &Ground<T, P>, n: u32) {
         for face in Face::ALL {
             self.face(ground, face, n);
         }
     }
 
-    /// Includes what another survey with the same reference has seen.
+    /// Includes all points that another survey has. Both must have the same reference.
     pub fn merge(&mut self, other: &Self) {
         self.aspect.merge(&other.aspect);
         self.sides.merge(&other.sides);
@@ -114,45 +120,48 @@ impl<T: Real> Survey<T> {
         self.skipped += other.skipped;
     }
 
-    /// δ_aspect = Λx/Λy.
+    /// Returns the statistic of δ_aspect = Λx/Λy.
     #[must_use]
     pub fn aspect(&self) -> &Statistic<T> {
         &self.aspect
     }
 
-    /// δ_area = Λx·Λy over the reference.
+    /// Returns the statistic of δ_area = Λx·Λy, divided by the reference.
     #[must_use]
     pub fn sides(&self) -> &Statistic<T> {
         &self.sides
     }
 
-    /// The true area over the reference.
+    /// Returns the statistic of the true area, divided by the reference.
     #[must_use]
     pub fn area(&self) -> &Statistic<T> {
         &self.area
     }
 
-    /// Tissot's ω in degrees.
+    /// Returns the statistic of Tissot's ω, in degrees.
     #[must_use]
     pub fn deformation(&self) -> &Statistic<T> {
         &self.deformation
     }
 
-    /// ε: how much larger than needed a texture must be, if its worst texel is to be good enough; the larger of the ratios of δ_aspect and δ_area
-    /// (paper 3.9, in the reading under which its conclusions follow).
+    /// Returns ε, the texture oversize: how many times larger than necessary a texture must be so that its
+    /// worst texel is good enough.
+    ///
+    /// It is the larger of the ratios (largest to smallest) of δ_aspect and δ_area (paper 3.9, in the reading
+    /// under which its conclusions follow).
     #[must_use]
     pub fn oversize(&self) -> T {
         max(self.aspect.ratio(), self.sides.ratio())
     }
 
-    /// How many places were left out because the map has no derivative there.
+    /// Returns the number of points that were left out because the map has no derivative there.
     #[must_use]
     pub fn skipped(&self) -> u64 {
         self.skipped
     }
 }
 
-/// δ_aspect, δ_area, the true area in the same unit, ω.
+/// δ_aspect, δ_area, the true area in the same unit, and ω.
 #[inline(always)]
 fn measures<T: Real>(texel: &Jacobian<T>, reference: T) -> [T; 4] {
     [
@@ -163,7 +172,7 @@ fn measures<T: Real>(texel: &Jacobian<T>, reference: T) -> [T; 4] {
     ]
 }
 
-/// The survey of a face by a known projection, a part of a row at a time.
+/// The survey of a face for a known projection, a part of a row at a time.
 struct Rows<'a, T> {
     survey: &'a mut Survey<T>,
     shifted: &'a Shifted<Dual<T, 2>>,
@@ -185,7 +194,7 @@ impl<T: Real> ProjectionTask for Rows<'_, T> {
         let [_, correction] = shifted.corrections();
         let reference = survey.reference;
         let step = T::of(2.0) / T::whole(u64::from(n));
-        // The last may round to beyond the face.
+        // The last one may round to a number beyond the face.
         let along = |index: u32| min(T::whole(u64::from(index)) * step - T::ONE, T::ONE);
         let mut places = [[T::ZERO; PART]; 2];
         let mut directions = [[T::ZERO; PART]; 9];
@@ -217,10 +226,10 @@ impl<T: Real> ProjectionTask for Rows<'_, T> {
     }
 }
 
-/// Texels that are measured together.
+/// The number of texels that are measured together.
 const PART: usize = 2 * BLOCK;
 
-/// A point of a face to the components of its direction, each followed by its derivatives.
+/// The kernel from a point of a face to the components of its direction, each followed by its derivatives.
 struct ToDirection<P> {
     projection: P,
     face: Face,
@@ -235,7 +244,7 @@ impl<T: Real, P: CubeProjection> Kernel<T, 2, 9> for ToDirection<P> {
     }
 }
 
-/// That to what a survey counts.
+/// The kernel from those to the four measures of a survey.
 struct ToTexel<T, C> {
     ellipsoid: Ellipsoid<Dual<T, 2>>,
     turn: C,

@@ -3,10 +3,11 @@ use crate::Real;
 use crate::cube::{CubeProjection, FacePoint};
 use crate::math::{atan2_degrees, select};
 
-/// Tissot's indicatrix: what becomes of a small circle on the ground.
+/// Tissot's indicatrix at a point: the ellipse to which the projection maps a small circle on the ground.
 ///
-/// Scale is the length on the face over the length on the ground, the face being drawn so large that six of them have the area of the
-/// planet: an equal-area projection has [`areal`](Self::areal) scale 1 everywhere.
+/// A scale is a length on the face divided by the length on the ground. The faces are drawn so large that six
+/// of them have the area of the planet: an equal-area projection has [`areal`](Self::areal) scale 1
+/// everywhere. All scales are dimensionless.
 ///
 /// Snyder, *Map projections: a working manual* (USGS 1395, 1987), §4.
 ///
@@ -20,6 +21,8 @@ use crate::math::{atan2_degrees, select};
 /// assert!((tissot.areal - 1.0).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "Tissot indicatrix")]
+#[doc(alias = "scale factor")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tissot<T> {
@@ -27,22 +30,24 @@ pub struct Tissot<T> {
     pub meridian: T,
     /// k: the scale along the parallel.
     pub parallel: T,
-    /// θ′: the angle on the face between the meridian, northward, and the parallel, eastward, in degrees.
+    /// θ′: the angle on the face between the meridian (northward) and the parallel (eastward), in degrees.
     pub graticule_angle: T,
-    /// a: the largest scale.
+    /// a: the major semi-axis, which is the largest scale.
     pub major: T,
-    /// b: the smallest scale.
+    /// b: the minor semi-axis, which is the smallest scale.
     pub minor: T,
-    /// The azimuth on the ground in which the scale is largest, in degrees clockwise from north, in [0, 180); 0 where all are alike.
+    /// The azimuth on the ground of the largest scale, in degrees clockwise from north, in [0, 180); 0 if all
+    /// scales are equal.
     pub azimuth: T,
     /// s = ab: the areal scale.
     pub areal: T,
-    /// ω: the largest change of an angle, in degrees.
+    /// ω: the maximum angular deformation, in degrees, in [0, 180].
     pub deformation: T,
 }
 
 impl<T: Real> Tissot<T> {
-    /// From the derivative of the ground, the face being drawn with `unit` metres to a unit of x and y.
+    /// Creates the indicatrix from the derivative of the ground; on the drawn face, `unit` metres are one
+    /// unit of x and y.
     #[must_use]
     #[inline]
     pub fn new(jacobian: &Jacobian<T>, unit: T) -> Self {
@@ -51,7 +56,8 @@ impl<T: Real> Tissot<T> {
         let area = jacobian.area();
         let scale = unit / area;
         let [shortest, longest] = jacobian.extremes();
-        // Of the ellipse on the ground that the face's unit circle is: its shorter axis is where the scale is largest.
+        // The unit circle of the face becomes an ellipse on the ground; the scale is largest along its minor
+        // axis.
         let (p, q, r) = (a * a + c * c, a * b + c * d, b * b + d * d);
         let twice = atan2_degrees(T::of(-2.0) * q, p - r);
         let azimuth = T::of(0.5) * twice;
@@ -71,15 +77,17 @@ impl<T: Real> Tissot<T> {
 }
 
 impl<T: Real, P: CubeProjection> Ground<T, P> {
-    /// Tissot's indicatrix at a point of the cube.
+    /// Returns Tissot's indicatrix at a point of the cube.
     ///
     /// # Errors
-    /// [`Singular`] where the map has no derivative: see [`Ground::jacobian`].
+    /// [`Singular`] where the map has no derivative, or one that is not invertible: see [`Ground::jacobian`].
+    #[doc(alias = "Tissot")]
     pub fn tissot(&self, point: FacePoint<T>) -> Result<Tissot<T>, Singular<T>> {
         Ok(Tissot::new(&self.jacobian(point)?, self.unit()))
     }
 
-    /// The metres to a unit of x and y with which six faces have the area of the planet: √(π/6) authalic radii.
+    /// Returns the length, in metres, of one unit of x and y on the drawn faces: with it, six faces have the
+    /// area of the planet. It is √(π/6) authalic radii.
     #[must_use]
     pub fn unit(&self) -> T {
         T::of(0.723_601_254_558_267_7) * self.ellipsoid().authalic_radius()

@@ -4,13 +4,13 @@ use super::plane::{Facet, belt, cap, middle};
 use crate::math::{atan2_degrees, either, gathered, select, spread};
 use crate::{LatLon, Real};
 
-/// A pixel of standard HEALPix, by its number in the nested scheme.
+/// A pixel of standard HEALPix, identified by its depth and its number in the nested scheme.
 ///
-/// At depth k (`order` in other libraries) a base pixel has `nside` × `nside` pixels, `nside` = 2ᵏ. The first
-/// four bits of a number are the base pixel: 0 to 3 about the north pole eastward from longitude 0, 4 to 7 on
-/// the equator with 4 about longitude 0, 8 to 11 about the south pole. Then come two bits for each level: x
-/// from the southern corner to the eastern one in the even places, y from the southern corner to the western
-/// one in the odd ones.
+/// At depth k (`order` in other libraries) a base pixel has `nside` × `nside` pixels, with `nside` = 2ᵏ. The
+/// first four bits of a number are the base pixel: 0 to 3 about the north pole, eastward from longitude 0; 4
+/// to 7 on the equator, with 4 centred on longitude 0; 8 to 11 about the south pole. Two bits follow for each
+/// level. The lower bit of each pair belongs to x, which increases from the southern corner to the eastern
+/// one; the higher bit belongs to y, which increases from the southern corner to the western one.
 ///
 /// ```
 /// use terrella::healpix::Pixel;
@@ -20,6 +20,9 @@ use crate::{LatLon, Real};
 /// assert_eq!((pixel.depth(), pixel.number()), (9, 954_011));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "HEALPix nested")]
+#[doc(alias = "NESTED")]
+#[doc(alias = "ang2pix")]
 #[doc(alias = "HEALPix")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -30,13 +33,13 @@ pub struct Pixel {
 }
 
 impl Pixel {
-    /// The largest depth, at which a pixel on the Earth is 1.2 cm wide.
+    /// The largest depth, 29. A pixel of this depth is 1.2 cm wide on the Earth.
     pub const MAX_DEPTH: u8 = 29;
 
-    /// From a depth in 0 to 29, and a number in 0 to 12·4^depth − 1.
+    /// Creates the pixel of a depth (0 to 29) and a number (0 to 12·4^depth − 1).
     ///
     /// # Errors
-    /// [`InvalidPixel`] for a depth above 29, or a number that the depth does not have.
+    /// [`InvalidPixel`] if the depth is above 29, or the number is not in 0 to 12·4^depth − 1.
     #[inline]
     pub const fn new(depth: u8, number: u64) -> Result<Self, InvalidPixel> {
         if depth > Self::MAX_DEPTH {
@@ -48,13 +51,13 @@ impl Pixel {
         Ok(Self { depth, number })
     }
 
-    /// The pixel of a depth in which a place lies, latitude and longitude on the sphere.
+    /// Returns the pixel of a depth that contains a place, given by its latitude and longitude on the sphere.
     ///
-    /// On a line between pixels it is the pixel of HEALPix's C library: north or east of the line in the
-    /// equatorial zone, away from the pole in a cap.
+    /// A place on a line between two pixels belongs to the pixel that HEALPix's C library chooses: the one
+    /// north or east of the line in the equatorial zone, and the one away from the pole in a polar cap.
     ///
-    /// A place farther from the pixel's edges than the rounding of its sine is in the right pixel: on the
-    /// Earth 12 nm in `f64` and 0.6 m in `f32`. Next to a pole no digit is lost.
+    /// The pixel is correct if the place is farther from the pixel's edges than the rounding error of its
+    /// sine: on the Earth 12 nm in `f64` and 0.6 m in `f32`. No digits are lost next to a pole.
     ///
     /// ```
     /// use terrella::healpix::Pixel;
@@ -65,7 +68,8 @@ impl Pixel {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidPixel::Depth`] for a depth above 29.
+    /// [`InvalidPixel::Depth`] if the depth is above 29.
+    #[doc(alias = "ang2pix_nest")]
     #[inline]
     pub fn containing<T: Real>(place: LatLon<T>, depth: u8) -> Result<Self, InvalidPixel> {
         if depth > Self::MAX_DEPTH {
@@ -83,8 +87,8 @@ impl Pixel {
         let index = |share: T| ((share * across).floor() as u32).min(last);
         let (zero, half) = (T::ZERO, T::of(0.5));
         let north = height > zero;
-        // Two lines between base pixels cross in the middle of the quarter on the equator; one rises to the
-        // east.
+        // Two lines between base pixels cross on the equator in the middle of the quarter; one of them rises
+        // to the east.
         let slope = half * height;
         let (rising, falling) = (turn + slope, turn - slope);
         let wrapped = |share: T| share + either(share < zero, T::ONE);
@@ -102,7 +106,7 @@ impl Pixel {
         Ok(Self::within(depth, base, square))
     }
 
-    /// For a column and row known to be in range.
+    /// Creates the pixel of a base pixel, column and row that are known to be in range.
     #[inline(always)]
     fn within(depth: u8, base: u8, [x, y]: [u32; 2]) -> Self {
         Self {
@@ -111,21 +115,22 @@ impl Pixel {
         }
     }
 
-    /// The depth, in 0 to 29.
+    /// Returns the depth, 0 to 29.
     #[must_use]
     #[inline(always)]
     pub const fn depth(self) -> u8 {
         self.depth
     }
 
-    /// The number in the nested scheme, in 0 to 12·4^depth − 1.
+    /// Returns the number in the nested scheme, 0 to 12·4^depth − 1.
     #[must_use]
     #[inline(always)]
     pub const fn number(self) -> u64 {
         self.number
     }
 
-    /// The middle.
+    /// Returns the centre of the pixel: latitude and longitude on the sphere.
+    #[doc(alias = "pix2ang_nest")]
     #[must_use]
     #[inline]
     pub fn centre<T: Real>(self) -> LatLon<T> {
@@ -133,11 +138,11 @@ impl Pixel {
         self.at([half, half])
     }
 
-    /// The place in the pixel at (dx, dy) ∈ [0, 1]²: dx from the southern corner to the eastern one, dy from
-    /// the southern corner to the western one.
+    /// Returns the place at (dx, dy) ∈ [0, 1]² in the pixel. dx increases from the southern corner to the
+    /// eastern one, dy from the southern corner to the western one.
     ///
-    /// Worst error 2.6·10⁻¹⁶ (`f64`), 1.4·10⁻⁷ (`f32`) radians on the sphere, the rounding of the latitude
-    /// and longitude included.
+    /// The worst error is 2.6·10⁻¹⁶ (`f64`) or 1.4·10⁻⁷ (`f32`) radians on the sphere, including the rounding
+    /// of latitude and longitude.
     ///
     /// ```
     /// use terrella::healpix::Pixel;
@@ -158,7 +163,7 @@ impl Pixel {
         Ok(self.at([dx, dy]))
     }
 
-    /// For a place known to be in the pixel.
+    /// The same for a place that is known to be in the pixel.
     #[inline(always)]
     fn at<T: Real>(self, [dx, dy]: [T; 2]) -> LatLon<T> {
         let base = (self.number >> (2 * self.depth)) as u8;
@@ -166,15 +171,16 @@ impl Pixel {
         let (x, y) = (gathered(self.number) & last, gathered(self.number >> 1) & last);
         let (zero, one) = (T::ZERO, T::ONE);
         let whole = |number: u32| T::whole(number.into());
-        // From the southern corner, from the northern one, and to the east from the line between the two,
-        // over half of the base pixel's diagonal.
+        // The distances from the southern corner, from the northern corner, and eastward from the line
+        // between the two, in halves of the base pixel's diagonal.
         let across = T::whole(1 << self.depth);
         let south = (whole(x + y) + (dx + dy)) / across;
         let north = (whole(2 * last - (x + y)) + ((one - dx) + (one - dy))) / across;
         let apart = whole(x.abs_diff(y));
         let east = (select(x < y, -apart, apart) + (dx - dy)) / across;
         let (row, column) = (base / 4, base % 4);
-        // Of the base pixel's two halves that from the equator, or from the pole.
+        // `height` counts from the equator and `outward` from the pole: each serves the half of the base
+        // pixel next to it.
         let (height, outward) = match row {
             0 => (south, north),
             1 => (south - one, one),
@@ -191,13 +197,13 @@ impl Pixel {
     }
 }
 
-/// Why there is no such [`Pixel`].
+/// The error of creating a [`Pixel`]: the depth or the number is out of range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidPixel {
-    /// The depth is above 29.
+    /// The depth; it is above 29.
     Depth(u8),
-    /// The depth has no such number.
+    /// The number is not in 0 to 12·4^depth − 1.
     Number {
         /// The depth.
         depth: u8,
@@ -217,13 +223,13 @@ impl fmt::Display for InvalidPixel {
 
 impl core::error::Error for InvalidPixel {}
 
-/// A place that is not in a pixel: dx or dy is not in [0, 1].
+/// The error of [`Pixel::place`]: dx or dy is outside [0, 1] or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidPixelPlace<T> {
-    /// From the southern corner to the eastern one.
+    /// The coordinate from the southern corner to the eastern one.
     pub dx: T,
-    /// From the southern corner to the western one.
+    /// The coordinate from the southern corner to the western one.
     pub dy: T,
 }
 

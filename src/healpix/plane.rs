@@ -3,21 +3,22 @@ use core::fmt;
 use crate::math::{atan2_degrees, either, max, min, select, sin_cos_degrees};
 use crate::{LatLon, Real};
 
-/// A place, as both of HEALPix's maps see it from the middle of its quarter of longitude.
+/// A place in the coordinates that the pixels and the plane of HEALPix share, relative to the middle of its
+/// quarter of longitude.
 #[derive(Clone, Copy)]
 pub(super) struct Facet<T> {
     /// The number of the quarter, 0 to 3 eastward from longitude 0.
     pub quarter: u8,
-    /// The longitude from the middle of the quarter over 90°, in [−½, ½].
+    /// The longitude from the middle of the quarter, divided by 90°, in [−½, ½].
     pub turn: T,
-    /// 3/2 of the latitude's sine: at most 1 from 0 in the equatorial zone.
+    /// 3/2 of the sine of the latitude: in [−1, 1] in the equatorial zone.
     pub height: T,
-    /// √(3(1 − |sin φ|)): 0 at the poles, 1 where the zones meet.
+    /// √(3(1 − |sin φ|)): 0 at the poles, 1 where the equatorial zone and a polar cap meet.
     pub outward: T,
 }
 
 impl<T: Real> Facet<T> {
-    /// Of a place; on a meridian between two quarters, the eastern one.
+    /// Creates it for a place. A place on a meridian between two quarters belongs to the eastern one.
     #[inline(always)]
     pub(super) fn of(place: LatLon<T>) -> Self {
         let (sin, cos) = sin_cos_degrees(place.lat());
@@ -30,7 +31,7 @@ impl<T: Real> Facet<T> {
             quarter,
             turn: (lon - middle(quarter)) / right_angle,
             height: T::of(1.5) * sin,
-            // Without the difference, which loses the digits of a place near the pole.
+            // 1 − |sin φ| is not used: the subtraction loses digits near the pole.
             outward: cos * (T::of(3.0) / (T::ONE + sin.abs())).sqrt(),
         }
     }
@@ -49,7 +50,7 @@ pub(super) fn middle<T: Real>(quarter: u8) -> T {
     T::of(45.0) + T::of(90.0) * quarter - either(quarter > T::of(1.5), T::of(360.0))
 }
 
-/// Sine and cosine of a latitude in the northern cap.
+/// Sine and cosine of the latitude in the northern polar cap, from `outward`.
 #[inline(always)]
 pub(super) fn cap<T: Real>(outward: T) -> (T, T) {
     let square = outward * outward;
@@ -57,19 +58,22 @@ pub(super) fn cap<T: Real>(outward: T) -> (T, T) {
     (T::ONE - square * third, outward * (T::of(6.0) - square).sqrt() * third)
 }
 
-/// Sine and cosine of a latitude in the equatorial zone.
+/// Sine and cosine of the latitude in the northern half of the equatorial zone, from `height`.
 #[inline(always)]
 pub(super) fn belt<T: Real>(height: T) -> (T, T) {
     let sin = height * T::of(2.0 / 3.0);
     (sin, ((T::ONE - sin) * (T::ONE + sin)).sqrt())
 }
 
-/// HEALPix's plane (Calabretta & Roukema, MNRAS 381, 2007): x in [0, 8), y in [−2, 2], in units of π/4, so
-/// that a base pixel is a square on its corner, two across. Longitude 0 is x = 0, the equator y = 0; the
-/// equatorial zone |sin φ| ≤ ⅔ is |y| ≤ 1, and the poles are the tips at x = 1, 3, 5, 7.
+/// Projects a place on the sphere to HEALPix's plane (Calabretta & Roukema, MNRAS 381, 2007).
 ///
-/// Worst error 7·10⁻¹⁶ (`f64`), 3.6·10⁻⁷ (`f32`) of a unit, 0.4 ulp of 8. Next to a tip y has the digits of
-/// 2: of a place as near to a pole, [`Pixel`](super::Pixel) loses none.
+/// Returns [x, y] with x in [0, 8) and y in [−2, 2], in units of π/4. In these units a base pixel is a square
+/// that stands on its corner and is 2 wide. Longitude 0 is at x = 0 and the equator at y = 0; the equatorial
+/// zone |sin φ| ≤ ⅔ is |y| ≤ 1, and the poles are the tips at x = 1, 3, 5, 7.
+///
+/// The worst error is 7·10⁻¹⁶ (`f64`) or 3.6·10⁻⁷ (`f32`) of a unit, which is 0.4 ulp of 8. Next to a tip y
+/// is near 2 and has only the digits of a number of that size; for a place that near a pole, use
+/// [`Pixel`](super::Pixel), which loses none.
 ///
 /// ```
 /// use terrella::healpix;
@@ -78,6 +82,8 @@ pub(super) fn belt<T: Real>(height: T) -> (T, T) {
 /// assert_eq!(healpix::to_plane(LatLon::new(90.0, 100.0)?), [3.0, 2.0]);
 /// # Ok::<(), terrella::InvalidLatLon<f64>>(())
 /// ```
+#[doc(alias = "HPX")]
+#[doc(alias = "HEALPix projection")]
 #[must_use]
 #[inline]
 pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
@@ -87,17 +93,17 @@ pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
     let across = tip + two * facet.turn * facet.outward;
     let along = place.lon() / T::of(45.0);
     let along = along + either(along < T::ZERO, eight);
-    // Just west of longitude 0 it rounds to 8, which is 0.
+    // A longitude just west of 0 rounds to x = 8, which is the same place as 0.
     let along = either(along < eight, along);
     let up = (two - facet.outward).copysign(facet.height);
     select(facet.is_cap(), [across, up], [along, facet.height])
 }
 
-/// The place of a point of HEALPix's plane: the way back of [`to_plane`]. Longitude is in [−180, 180]; of a
-/// pole it is the middle of the quarter.
+/// Returns the place on the sphere of a point of HEALPix's plane: the inverse of [`to_plane`]. The longitude
+/// is in [−180, 180]; for a pole it is that of the middle of the quarter.
 ///
-/// Worst error 2.6·10⁻¹⁶ (`f64`), 1.4·10⁻⁷ (`f32`) radians on the sphere, the rounding of the latitude and
-/// longitude included.
+/// The worst error is 2.6·10⁻¹⁶ (`f64`) or 1.4·10⁻⁷ (`f32`) radians on the sphere, including the rounding of
+/// latitude and longitude.
 ///
 /// ```
 /// use terrella::healpix;
@@ -108,8 +114,8 @@ pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
 /// ```
 ///
 /// # Errors
-/// [`OutsidePlane`] if x is not in [0, 8], |y| > 2, or the point is between the tips by more than rounding;
-/// NaN too.
+/// [`OutsidePlane`] if x is outside [0, 8], |y| > 2, a coordinate is NaN, or the point is in the gap between
+/// two tips by more than rounding.
 #[inline]
 pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>> {
     let (two, eight) = (T::of(2.0), T::of(8.0));
@@ -121,7 +127,7 @@ pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>>
     let across = x - (two * T::from_byte(quarter) + T::ONE);
     let outward = two - y.abs();
     let is_cap = y.abs() > T::ONE;
-    // By so much rounds the sum that x is.
+    // The allowance for the rounding of x, which is a sum.
     if is_cap & (across.abs() > outward + T::of(4.0) * T::EPSILON) {
         return Err(OutsidePlane { x, y });
     }
@@ -137,19 +143,19 @@ pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>>
     Ok(LatLon::within(atan2_degrees(sin.copysign(y), cos), lon))
 }
 
-/// A point outside of HEALPix's plane.
+/// The error of [`from_plane`]: the point is outside HEALPix's plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OutsidePlane<T> {
-    /// Along the equator.
+    /// The coordinate along the equator.
     pub x: T,
-    /// Toward the north.
+    /// The coordinate toward the north.
     pub y: T,
 }
 
 impl<T: fmt::Debug> fmt::Display for OutsidePlane<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "({:?}, {:?}) is not on HEALPix's plane", self.x, self.y)
+        write!(f, "({:?}, {:?}) is outside HEALPix's plane", self.x, self.y)
     }
 }
 

@@ -1,12 +1,14 @@
-//! The widest instructions of the machine, chosen at run time: with `math/sqrt.rs` the only file that has `unsafe` in it.
+//! Chooses the machine's widest instructions at run time. Besides `math/sqrt.rs` this is the only file with
+//! `unsafe`.
 #![allow(unsafe_code)]
 
-/// A loop over slices, as a value that holds them.
+/// A loop over slices, as a value that holds the slices.
 ///
-/// [`run`](Self::run) must be `#[inline(always)]`, and so must all that it calls in the loop: then it is compiled once for each set of
-/// instructions. They only do more at a time; none contracts a product and a sum, so that the results are the same bits.
+/// [`run`](Self::run) must be `#[inline(always)]`, and so must everything that it calls in the loop: it is
+/// then compiled once for each instruction set. Wider instructions only process more elements at a time; none
+/// of them contracts a product and a sum, so the results have the same bits.
 pub(crate) trait Pass {
-    /// What the loop finds.
+    /// The result of the loop.
     type Output;
 
     /// Runs the loop.

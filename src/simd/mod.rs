@@ -1,4 +1,5 @@
-//! The loop that surveys, patches and batches run, and the choice of the machine's instructions for it.
+//! The loop over slices that surveys, patches and batches run, and the choice of the machine's instructions
+//! for it.
 
 mod dispatch;
 mod sweep;

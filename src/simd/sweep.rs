@@ -1,28 +1,31 @@
-//! The loop over slices: block by block, so that short and odd lengths take the same code.
+//! The loop over slices. It works block by block, so that short and odd lengths run the same code.
 
 use core::mem::take;
 
 use super::dispatch::{Pass, dispatch};
 use crate::Real;
 
-/// Elements that are worked on together: enough to fill the widest vector several times, few enough for a small stack.
+/// The number of elements that are processed together: enough to fill the widest vector several times, and
+/// few enough for a small stack.
 pub(crate) const BLOCK: usize = 64;
 
-/// Elements that go through buffers together.
+/// The number of elements that pass through buffers together.
 pub(crate) const CHUNK: usize = 4 * BLOCK;
 
-/// A function of one element, a straight line from `I` numbers to `O` numbers; [`apply`](Self::apply) is `#[inline(always)]`.
+/// A function of one element: straight-line code from `I` numbers to `O` numbers. [`apply`](Self::apply) must
+/// be `#[inline(always)]`.
 pub(crate) trait Kernel<T, const I: usize, const O: usize> {
-    /// The function.
+    /// Computes the function.
     fn apply(&self, input: [T; I]) -> [T; O];
 }
 
-/// Where a kernel's numbers come from.
+/// The input of a kernel: columns of numbers.
 pub(crate) trait Source<'s, T: 's, const I: usize> {
-    /// Whether nothing is left.
+    /// Returns whether no elements are left.
     fn is_empty(&self) -> bool;
 
-    /// The next block: where it lies, or in `spare` if it has to be put together there. What follows the last element is any number.
+    /// Returns the next block and moves past it. The result is the input itself if that is contiguous, else
+    /// `spare`. Elements after the last one are arbitrary.
     fn next<'a>(&mut self, spare: &'a mut [[T; BLOCK]; I]) -> [&'a [T; BLOCK]; I]
     where
         's: 'a;
@@ -47,7 +50,8 @@ impl<'s, T: Real, const I: usize> Source<'s, T, I> for [&'s [T]; I] {
     }
 }
 
-/// The first block of a slice, which goes past it; what is less than a block is copied to `spare`.
+/// Returns the first block of a slice and moves the slice past it. If less than a block is left, it is copied
+/// to `spare`.
 #[inline(always)]
 pub(crate) fn block<'a, 's: 'a, T: Copy>(column: &mut &'s [T], spare: &'a mut [T; BLOCK]) -> &'a [T; BLOCK] {
     match column.split_first_chunk() {
@@ -62,7 +66,7 @@ pub(crate) fn block<'a, 's: 'a, T: Copy>(column: &mut &'s [T], spare: &'a mut [T
     }
 }
 
-/// Copies the last elements, out of line.
+/// Copies the last elements. Out of line, since it runs once for each slice.
 #[cold]
 #[inline(never)]
 fn pad<T: Copy>(column: &[T], spare: &mut [T; BLOCK]) {
@@ -71,7 +75,7 @@ fn pad<T: Copy>(column: &[T], spare: &mut [T; BLOCK]) {
     }
 }
 
-/// Where a kernel's results go.
+/// The output of a kernel.
 pub(crate) trait Sink<T, const O: usize> {
     /// Takes the next block, or as much of it as there is room for.
     fn store(&mut self, block: &[[T; BLOCK]; O]);
@@ -86,7 +90,7 @@ impl<T: Real, const O: usize> Sink<T, O> for [&mut [T]; O] {
     }
 }
 
-/// Copies a block to the front of a slice, and goes past it.
+/// Copies a block to the front of a slice and moves the slice past it.
 #[inline(always)]
 pub(crate) fn store<V: Copy>(column: &mut &mut [V], block: &[V; BLOCK]) {
     let here = take(column);
@@ -100,7 +104,7 @@ pub(crate) fn store<V: Copy>(column: &mut &mut [V], block: &[V; BLOCK]) {
     }
 }
 
-/// A kernel over all of a source.
+/// A kernel that runs over all of a source.
 pub(crate) struct Sweep<K, S, D, T, const I: usize, const O: usize> {
     kernel: K,
     source: S,
@@ -108,13 +112,15 @@ pub(crate) struct Sweep<K, S, D, T, const I: usize, const O: usize> {
     scalar: core::marker::PhantomData<T>,
 }
 
-/// One of each column of a block. Columns side by side have no iterator; i is below [`BLOCK`], and compiled for size it is not seen that it is.
+/// Element i of each column of a block. There is no iterator over several arrays side by side; i is below
+/// [`BLOCK`], but the compiler does not see that when it optimises for size, hence `get`.
 #[inline(always)]
 pub(crate) fn element<T: Real, const I: usize>(block: [&[T; BLOCK]; I], i: usize) -> [T; I] {
     block.map(|column| column.get(i).copied().unwrap_or_default())
 }
 
-/// Runs a kernel over all of a source: a function of its own, so that an image has it once and not once for each caller.
+/// Runs a kernel over all of a source. It is not inlined, so that a program has the loop once and not once
+/// for each caller.
 #[inline(never)]
 pub(crate) fn sweep<'s, T, K, S, D, const I: usize, const O: usize>(kernel: K, source: S, sink: D)
 where
@@ -159,11 +165,11 @@ where
     }
 }
 
-/// The first elements of each slice, which goes past them.
-pub(crate) fn front<'a, V, const O: usize>(columns: &mut [&'a mut [V]; O], length: usize) -> [&'a mut [V]; O] {
-    columns.each_mut().map(|column| {
-        let (head, rest) = take(column).split_at_mut_checked(length).unwrap_or_default();
-        *column = rest;
+/// Returns the first elements of each slice and moves the slices past them.
+pub(crate) fn front<'a, V, const O: usize>(slices: &mut [&'a mut [V]; O], count: usize) -> [&'a mut [V]; O] {
+    slices.each_mut().map(|slice| {
+        let (head, rest) = take(slice).split_at_mut_checked(count).unwrap_or_default();
+        *slice = rest;
         head
     })
 }

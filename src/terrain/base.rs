@@ -3,18 +3,18 @@ use core::fmt;
 use super::Heights;
 use super::bilinear::{mean, weights};
 
-/// The heights above the ellipsoid to which the corners of a tile's patch are lifted, in double precision;
-/// between them they are interpolated.
+/// The heights above the ellipsoid, one for each corner of a tile, to which the corners of its patch are
+/// lifted in double precision. Between the corners they are interpolated bilinearly.
 ///
-/// A vertex has its height above this base, in single precision: the base is to be near the ground, at most
-/// some hundred metres from it in tiles next to the eye.
+/// A vertex stores its height above this base in single precision. Choose a base near the ground: at most
+/// some hundred metres from it in tiles next to the eye. There are three ways:
 ///
-/// * The middle of a tile's heights ([`From<Heights>`](Heights)) is level. Tiles of different bases agree
-///   along a common edge to rounding only, which a skirt hides.
-/// * The heights of the ground in the corners ([`new`](Self::new)): two tiles that share an edge and a level
-///   have the same base there, and the same bits.
-/// * The ellipsoid itself ([`default`](Self::default)), for water, and where millimetres do not count: at a
-///   height of 8 km `f32` has steps of half a millimetre.
+/// * The middle of a tile's height range ([`From<Heights>`](Heights)): a level base. Tiles of different bases
+///   agree along a common edge within rounding only; a skirt hides the gap.
+/// * The heights of the ground at the corners ([`new`](Self::new)): two tiles that share an edge and a level
+///   have the same base along it, with identical bits.
+/// * The ellipsoid itself ([`default`](Self::default)): for water, and where millimetres do not matter. At a
+///   height of 8 km, `f32` has steps of half a millimetre.
 ///
 /// ```
 /// use terrella::terrain::{Base, Heights};
@@ -33,11 +33,11 @@ pub struct Base {
 }
 
 impl Base {
-    /// From heights in the corners in metres, counter-clockwise from the one of largest x and y, as
-    /// [`Corner::ALL`](crate::cube::Corner::ALL).
+    /// Creates a base from the heights at the corners, in metres, in the order of
+    /// [`Corner::ALL`](crate::cube::Corner::ALL): counter-clockwise from the corner of largest x and y.
     ///
     /// # Errors
-    /// [`InvalidBase`] if one is infinite or NaN.
+    /// [`InvalidBase`] if a height is infinite or NaN.
     pub fn new(corners: [f64; 4]) -> Result<Self, InvalidBase> {
         match corners.iter().find(|height| !height.is_finite()) {
             Some(&height) => Err(InvalidBase(height)),
@@ -45,15 +45,16 @@ impl Base {
         }
     }
 
-    /// The heights of the corners, in metres.
+    /// Returns the heights at the corners, in metres.
     #[must_use]
     #[inline(always)]
     pub const fn corners(self) -> [f64; 4] {
         self.corners
     }
 
-    /// The height in column m and row n of a grid of `samples` × `samples`, in metres: what is to be taken
-    /// off a vertex's height above the ellipsoid. Within 2 ulps of the largest of the four.
+    /// Returns the height of the base in column m and row n of a grid of `samples` × `samples`, in metres.
+    /// Subtract it from a vertex's height above the ellipsoid. The result is within 2 ulps of the largest of
+    /// the four heights.
     #[must_use]
     #[inline]
     pub fn at(self, [m, n]: [u32; 2], samples: u32) -> f64 {
@@ -63,7 +64,7 @@ impl Base {
     }
 }
 
-/// Level, in the middle.
+/// A level base in the middle of the range.
 impl From<Heights<f64>> for Base {
     fn from(heights: Heights<f64>) -> Self {
         Self {
@@ -72,7 +73,7 @@ impl From<Heights<f64>> for Base {
     }
 }
 
-/// A height of a [`Base`] that is infinite or NaN.
+/// The error of [`Base::new`]: this height is infinite or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidBase(pub f64);

@@ -5,34 +5,43 @@ use crate::Real;
 use crate::cube::{CubeMap, CubeProjection};
 use crate::math::{max, min, select};
 
-/// Boxes and spheres that contain the tiles of a cube map with their terrain.
+/// Oriented bounding boxes and bounding spheres that contain the tiles of a cube map with their terrain.
 ///
-/// Every point of a tile at a height in its range along the ellipsoid's normal is inside, for any ellipsoid and shift and for every
-/// projection of this crate. In the order of the computation:
+/// The box of a tile contains every point above or below the tile whose height, along the ellipsoid's normal,
+/// is in the given range. This holds for any ellipsoid and shift, and for every projection of this crate. The
+/// computation has five steps:
 ///
-/// 1. *The tile's edges.* C is the direction of the tile's middle. Seen from the planet's centre on the plane that touches the unit sphere in C,
-///    each half of an edge stays within ½μ + lw/128 of the straight line between its ends, where l is the distance of the edge's ends, μ
-///    that of its middle from their line, and w = 2^(1−L) the edge's length in x or y. This is what is taken from a projection, and it rests
-///    on a search, not on formulas: over every tile to level 8 and 200 000 deeper ones of each projection, most of them where it is
-///    singular, 0.0043 was the most in place of 1/128 (`vertex`; nothing at all in nine of them). A projection of a user's own that bends
-///    more is bounded only as far as it does not.
-/// 2. *The tile's directions.* The map is one to one, so that the tile is bounded by its edges: it lies in the rectangle around eight points
-///    of them, widened by that much. The corners of that rectangle span the convex spherical quadrangle Q. It is inside the cap about C through
-///    the farthest of them; let its radius be θ. On the plane that touches in n, the ellipsoid's normal above F, the foot of C, Q is a
-///    convex quadrangle again, in the rectangle p₀ ≤ p ≤ p₁, q₀ ≤ q ≤ q₁ of its corners along axes e₁, e₂; and for D in Q
-///    e₁·D = p/√(1 + p² + q²), which rises with p.
-/// 3. *Ground and normal as maps of the sphere.* G(D) is the foot and N(D) the normal where D leads. Their singular values are within
-///    [λ₀, λ₁] and [κ₀, κ₁]: along the meridian κ = dφ/dξ, along the parallel κ = cos φ/cos ξ, for which the shift's formula has bounds; λ is κ
-///    times a radius of curvature, between b²/a and a²/b. Where |φ − ξ| ≤ δ, the derivatives of G − ρD and N − κD, with ρ and κ the means
-///    of the bounds, have norms of at most σ = √(((λ₁ − λ₀)/2)² + λ₁ρδ²) and likewise σ′.
-/// 4. *Along e₁ and e₂*, at a height h: the point is within (σ + |h|σ′)θ of F + (ρ + hκ)(D − C).
-/// 5. *Along n*: the ellipsoid lies below the plane through F, and above the sphere of its least radius of curvature r that
-///    touches it there (Blaschke), so by no more than |G(D) − F|²/2r ≤ (λ₁θ)²/2r below; h adds h·cos γ with 1 − cos γ ≤ (κ₁θ)²/2.
+/// 1. *The tile's edges.* Let C be the direction of the tile's middle, and project centrally to the plane
+///    that touches the unit sphere at C. There each half of an edge stays within ½μ + lw/128 of the straight
+///    line between its ends. Here l is the distance between the ends of the edge, μ is the distance of the
+///    edge's middle from their line, and w = 2^(1−L) is the edge's length in x or y. This is the only
+///    property of a projection that is used, and it was found by a search, not by formulas: over every tile
+///    to level 8 and 200 000 deeper ones of each projection, most of them where it is singular, the largest
+///    value in place of 1/128 was 0.0043 (`vertex`; nothing at all in nine of them). If a projection of your
+///    own bends its edges more, its boxes may be too small.
+/// 2. *The tile's directions.* The map is one to one, so the tile lies within its edges, and hence in the
+///    rectangle around eight points of them, widened by the bound of step 1. The corners of that rectangle
+///    span the convex spherical quadrangle Q. Q lies inside the cap about C through its farthest corner; let
+///    θ be the radius of that cap. Let F be the point on the ellipsoid that C leads to, and n the ellipsoid's
+///    normal there. On the plane that touches the unit sphere at n, Q is again a convex quadrangle; it lies
+///    in the rectangle p₀ ≤ p ≤ p₁, q₀ ≤ q ≤ q₁ of its corners along axes e₁, e₂. For D in Q, e₁·D = p/√(1 +
+///    p² + q²), which increases with p.
+/// 3. *Ground and normal as maps of the sphere.* A direction D leads to the point G(D) on the ellipsoid,
+///    where the normal is N(D). The singular values of the derivatives of G and N are within [λ₀, λ₁] and
+///    [κ₀, κ₁]. Along the meridian κ = dφ/dξ and along the parallel κ = cos φ/cos ξ, for which the shift's
+///    formula gives bounds; λ is κ times a radius of curvature, which is between b²/a and a²/b. Let |φ − ξ| ≤
+///    δ, and let ρ and κ be the means of the bounds. Then the derivatives of G − ρD and N − κD have norms of
+///    at most σ = √(((λ₁ − λ₀)/2)² + λ₁ρδ²) and σ′ (the same with κ).
+/// 4. *Along e₁ and e₂*: a point at height h is within (σ + |h|σ′)θ of F + (ρ + hκ)(D − C).
+/// 5. *Along n*: the ellipsoid lies below the plane through F, and above the sphere of its least radius of
+///    curvature r that touches it there (Blaschke). It is therefore at most |G(D) − F|²/2r ≤ (λ₁θ)²/2r below
+///    the plane. The height adds h·cos γ with 1 − cos γ ≤ (κ₁θ)²/2.
 ///
-/// What rounding may do, 16 ulps of the planet's radius, is added.
+/// A margin of 16 ulps of the planet's radius is added for rounding.
 ///
-/// On the Earth a tile's box is wider than the tile by at most 3 % where edges are nearly straight, 7 % in the quadrilateralized, vertex and
-/// conformal cubes and 16 % in HEALPix's, where they bend; at levels 0 to 2 by 10 %, at HEALPix's level 0 by 26 %.
+/// On the Earth a tile's box is wider than the tile by at most 3 % where edges are nearly straight, by 7 % in
+/// the quadrilateralized, vertex and conformal cubes, and by 16 % in HEALPix's, where edges bend; at levels 0
+/// to 2 by 10 %, at HEALPix's level 0 by 26 %.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -48,17 +57,21 @@ use crate::math::{max, min, select};
 /// assert!(bounds.sphere().radius < 7_500.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "bounding volume")]
+#[doc(alias = "OBB")]
+#[doc(alias = "bounding box")]
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Enclosure<T, P> {
     map: CubeMap<T, P>,
     ground: Spread<T>,
     normal: Spread<T>,
-    /// The least radius of curvature.
+    /// The ellipsoid's least radius of curvature.
     radius: T,
 }
 
-/// The singular values of a map of the sphere: their mean, the largest, and how far the derivative is from the mean.
+/// Bounds on the singular values of a map of the sphere: their mean, the largest, and the norm of the
+/// derivative's difference from the mean (σ of step 3).
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Spread<T> {
@@ -80,7 +93,7 @@ impl<T: Real> Spread<T> {
 }
 
 impl<T: Real, P: CubeProjection> Enclosure<T, P> {
-    /// Of the tiles of a cube map.
+    /// Creates the bounding volumes of a cube map's tiles.
     #[must_use]
     pub fn new(map: CubeMap<T, P>) -> Self {
         let ellipsoid = map.shifted().ellipsoid();
@@ -97,13 +110,15 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
         }
     }
 
-    /// The cube map.
+    /// Returns the cube map.
     #[must_use]
     pub const fn map(&self) -> CubeMap<T, P> {
         self.map
     }
 
-    /// The box of a tile with terrain of these heights: its third axis is the normal in the tile's middle, its first in the direction of x there.
+    /// Returns the oriented bounding box of a tile whose terrain has heights in this range. Its third axis is
+    /// the ellipsoid's normal in the tile's middle; its first axis is horizontal, in the direction of x
+    /// there.
     #[must_use]
     pub fn of(&self, tile: Tile, heights: Heights<T>) -> OrientedBox<T> {
         let face = tile.face();
@@ -126,7 +141,7 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
                 include(range, dot(axis, corner) / outward);
             }
         }
-        // 2 asin(c/2) ≤ c(1 + c²/18) up to a right angle.
+        // 2 asin(c/2) ≤ c(1 + c²/18) for angles up to a right angle.
         let angle = chord.sqrt() * (T::ONE + T::of(0.0556) * chord);
 
         let [p, q] = reach;
@@ -135,7 +150,8 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
             self.across(sines(p, q).map(|s| s - from), angle, heights)
         });
         let third = self.outward(angle, heights);
-        let rest = T::of(16.0) * T::EPSILON * (self.ground.largest + max(heights.low().abs(), heights.high().abs()));
+        let height = max(heights.low().abs(), heights.high().abs());
+        let rest = T::of(16.0) * T::EPSILON * (self.ground.largest + height);
         let half = T::of(0.5);
         let mut centre = face.to_local(foot);
         let mut extent = [T::ZERO; 3];
@@ -164,7 +180,7 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
         let [_, _, _, [east_p, east_q], _, _, _, [west_p, west_q]] = nodes;
         let (p, q) = (east_p - west_p, east_q - west_q);
         let length = (p * p + q * q).sqrt();
-        // Where even that is lost in rounding, any direction will do.
+        // If rounding leaves no direction of x, any direction will do.
         let (cos, sin) = select(length > T::ZERO, (p / length, q / length), (T::ONE, T::ZERO));
         let axis = along(right.map(|v| v * cos), sin, up);
         let other = along(up.map(|v| v * cos), -sin, right);
@@ -192,7 +208,8 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
         (corners.map(|[p, q]| along(along(middle, p, axis), q, other)), axis)
     }
 
-    /// The range along an axis of the tangent plane, from the foot, for the sines by which directions of an angle go that way (step 4).
+    /// The range along an axis of the tangent plane, measured from F (step 4). `low` and `high` bound the
+    /// component of D − C along that axis.
     #[inline(always)]
     fn across(&self, [low, high]: [T; 2], angle: T, heights: Heights<T>) -> [T; 2] {
         let mut range = nothing::<T>();
@@ -207,7 +224,7 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
         range
     }
 
-    /// The range along the normal, from the foot (step 5).
+    /// The range along the normal, measured from F (step 5).
     #[inline(always)]
     fn outward(&self, angle: T, heights: Heights<T>) -> [T; 2] {
         let half = T::of(0.5);
@@ -220,26 +237,28 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
     }
 }
 
-/// A range without a number.
+/// An empty range.
 #[inline(always)]
 fn nothing<T: Real>() -> [T; 2] {
     [T::of(f64::INFINITY), T::of(f64::NEG_INFINITY)]
 }
 
+/// Widens a range to contain a number.
 #[inline(always)]
 fn include<T: Real>([low, high]: &mut [T; 2], number: T) {
     *low = min(number, *low);
     *high = max(number, *high);
 }
 
-/// Axes with this outward one, the first in the direction of a vector but for what is outward of it.
+/// A right-handed frame whose third axis is `outward`; its first axis is the part of `vector` that is
+/// perpendicular to it.
 #[inline(always)]
 fn frame<T: Real>(vector: [T; 3], outward: [T; 3]) -> [[T; 3]; 3] {
     let first = normalised(along(vector, -dot(vector, outward), outward));
     [first, cross(outward, first), outward]
 }
 
-/// The range of p/√(1 + p² + q²).
+/// The range of p/√(1 + p² + q²) for p and q in these ranges.
 #[inline(always)]
 fn sines<T: Real>([low, high]: [T; 2], [from, to]: [T; 2]) -> [T; 2] {
     let least = max(max(from, -to), T::ZERO);

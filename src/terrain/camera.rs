@@ -5,17 +5,19 @@ use super::vector::{along, cross, difference, dot};
 use crate::math::{max, min, select};
 use crate::{Ecef, Real};
 
-/// A view of the planet: where the eye is, the renderer's matrix, and the pixels of the picture.
+/// A view of the planet: the position of the eye, the renderer's view-projection matrix, and the size of the
+/// picture in pixels.
 ///
-/// The matrix takes a point in metres, relative to the eye and along Earth axes, to clip coordinates: a
-/// column vector (X, Y, Z, 1) to (x, y, z, w), with what is seen at −w ≤ x ≤ w and −w ≤ y ≤ w, where w > 0. z
-/// is not looked at, so that any convention of depth will do. y may be up or down, and the picture mirrored.
+/// The matrix maps a point in metres, relative to the eye and along Earth axes, to clip coordinates: the
+/// column vector (X, Y, Z, 1) to (x, y, z, w). A point is in the view if w > 0, −w ≤ x ≤ w and −w ≤ y ≤ w. z
+/// is not used, so any depth convention will do. y may point up or down, and the picture may be mirrored.
 ///
-/// Lines of sight meet in the centre of projection, where x = y = w = 0: at the eye if the matrix has zeros
-/// in its last column, elsewhere if not, and for a parallel projection, whose last row is 0, 0, 0, 1,
-/// infinitely far away. Parallel lines of sight come to the planet from the side on which the eye is: of the
-/// two directions, which the matrix does not tell apart, the one that leads down to the planet at the eye.
-/// Nothing is behind a parallel projection's eye: of all places on a line of sight the first is seen.
+/// All lines of sight meet in the centre of projection, where x = y = w = 0. It is at the eye if the last
+/// column of the matrix is zero, and elsewhere if not. For a parallel projection, whose last row is 0, 0, 0,
+/// 1, it is infinitely far away. The matrix does not tell from which of two sides parallel lines of sight
+/// come; the side of the eye is taken: of the two directions, the one that leads down to the planet at the
+/// eye. Nothing is behind the eye of a parallel projection: of all points on a line of sight, the first one
+/// is visible.
 ///
 /// ```
 /// use terrella::Ecef;
@@ -28,20 +30,25 @@ use crate::{Ecef, Real};
 /// assert_eq!(camera.pixel(Ecef::new(6_000_000.0, 500_000.0, 0.0)?), Some([256.0, 0.0]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "view-projection matrix")]
+#[doc(alias = "frustum")]
+#[doc(alias = "view frustum")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Camera<T> {
     eye: [T; 3],
-    /// The rows for x, y and w.
+    /// The rows of the matrix for x, y and w.
     rows: [[T; 4]; 3],
     pixels: [T; 2],
 }
 
 impl<T: Real> Camera<T> {
-    /// From an eye, a matrix row by row, and the width and height of the picture in pixels.
+    /// Creates a camera from the position of the eye, the matrix row by row, and the width and height of the
+    /// picture in pixels.
     ///
     /// # Errors
-    /// [`InvalidCamera`] if a number of the matrix is infinite or NaN, or a number of pixels is not positive and finite.
+    /// [`InvalidCamera`] if an element of the matrix is infinite or NaN, or if the width or height is not
+    /// positive and finite.
     pub fn new(eye: Ecef<T>, matrix: [[T; 4]; 4], pixels: [T; 2]) -> Result<Self, InvalidCamera<T>> {
         if let Some(&entry) = matrix.iter().flatten().find(|entry| !entry.is_finite()) {
             return Err(InvalidCamera::Matrix(entry));
@@ -57,7 +64,7 @@ impl<T: Real> Camera<T> {
         })
     }
 
-    /// Where the eye is, in metres.
+    /// Returns the position of the eye, in metres.
     #[must_use]
     #[inline]
     pub fn eye(&self) -> Ecef<T> {
@@ -65,8 +72,8 @@ impl<T: Real> Camera<T> {
         Ecef::within(x, y, z)
     }
 
-    /// Where a point is in the picture, in pixels from its middle, to the right and up; none for a point that
-    /// is not before the eye, where w ≤ 0.
+    /// Returns the position of a point in the picture, in pixels to the right of the middle and above it
+    /// (along the matrix's x and y). Returns `None` for a point that is not in front of the eye (w ≤ 0).
     #[must_use]
     #[inline]
     pub fn pixel(&self, point: Ecef<T>) -> Option<[T; 2]> {
@@ -74,16 +81,22 @@ impl<T: Real> Camera<T> {
         (w > T::ZERO).then(|| self.on_picture([x, y, w]))
     }
 
-    /// Whether any of a box may be in the picture: of its slices along the third axis one that is not all
-    /// behind the eye or beyond one side of the view, for boxes that are far from it a safe guess.
+    /// Returns whether any part of a box may be in the picture (frustum culling).
+    ///
+    /// The answer is `true` if some slice of the box along its third axis is not entirely behind the eye or
+    /// entirely beyond one side of the view. It is never `false` for a box that is partly in the picture; for
+    /// a box outside the picture it may be `true`.
+    #[doc(alias = "frustum culling")]
+    #[doc(alias = "view culling")]
     #[must_use]
     #[inline]
     pub fn sees(&self, bounds: &OrientedBox<T>) -> bool {
         self.slices(bounds, T::ONE).is_some()
     }
 
-    /// From which slice of a box to which, from −1 to 1 along its third axis, slices of so many times its
-    /// width and height are not all beyond one side of the view.
+    /// Returns the range of slices of a box, from −1 to 1 along its third axis, that are not entirely beyond
+    /// one side of the view. Each slice is taken `size` times as wide and high as the box. Returns `None` if
+    /// there is no such slice.
     #[inline]
     pub(super) fn slices(&self, bounds: &OrientedBox<T>, size: T) -> Option<[T; 2]> {
         let [first, second, upward] = bounds.axes;
@@ -96,7 +109,7 @@ impl<T: Real> Camera<T> {
         );
         let way = difference(bounds.centre, self.eye);
         let inside = insides(self.clip(way, T::ONE));
-        // What rounding may have done to that.
+        // The scale of the rounding error of `inside`.
         let [x, y, w] = self.rows.map(|[a, b, c, d]| {
             let [x, y, z] = way.map(T::abs);
             dot([a.abs(), b.abs(), c.abs()], [x, y, z]) + d.abs()
@@ -104,9 +117,10 @@ impl<T: Real> Camera<T> {
         let rest = [w, w + x, w + x, w + y, w + y];
         let few = T::of(8.0) * T::EPSILON;
         let (mut low, mut high) = (-T::ONE - few, T::ONE + few);
-        for ((((inside, rest), across), along), rise) in inside.into_iter().zip(rest).zip(across).zip(along).zip(rise) {
-            // How far inside this side of the view the middle slice is with the corner that is farthest
-            // inside.
+        let sides = inside.into_iter().zip(rest).zip(across).zip(along).zip(rise);
+        for ((((inside, rest), across), along), rise) in sides {
+            // How far the corner of the middle slice that is farthest inside this side of the view is inside
+            // it.
             let reach = inside + across.abs() + along.abs() + few * rest;
             let bound = -(reach / rise);
             if rise > T::ZERO {
@@ -120,19 +134,20 @@ impl<T: Real> Camera<T> {
         (low <= high).then_some([low, high])
     }
 
-    /// x, y and w of a point relative to the eye, or of a vector, for which `one` is 0.
+    /// x, y and w of a point relative to the eye (`one` = 1), or of a vector (`one` = 0).
     #[inline(always)]
     pub(super) fn clip(&self, [x, y, z]: [T; 3], one: T) -> [T; 3] {
         self.rows.map(|[a, b, c, d]| dot([a, b, c], [x, y, z]) + d * one)
     }
 
-    /// The centre of projection from the eye, times its weight, and the weight: 0 for one that is infinitely
-    /// far away; all 0 where there is none.
+    /// The centre of projection relative to the eye in homogeneous coordinates: the vector times its weight,
+    /// and the weight. The weight is 0 for a parallel projection; all four numbers are 0 if there is no
+    /// centre.
     ///
-    /// Where three rows are 0: the determinants of their columns but one.
+    /// It is where all three rows are 0: its coordinates are the determinants of three columns each.
     #[inline]
     pub(super) fn centre(&self) -> ([T; 3], T) {
-        // The scale of a row does not count, and products of small numbers could be nothing.
+        // Rows are scaled to avoid underflow of products; the scale of a row does not change the centre.
         let rows = self.rows.map(|row| {
             let largest = row.iter().fold(T::ZERO, |most, entry| max(most, entry.abs()));
             let scale = select(largest > T::ZERO, largest, T::ONE);
@@ -148,7 +163,7 @@ impl<T: Real> Camera<T> {
         (way, dot([ax, ay, az], bc))
     }
 
-    /// The centre of projection, in metres; none for parallel lines of sight.
+    /// The centre of projection, in metres; `None` for a parallel projection.
     #[inline]
     pub(super) fn point(&self) -> Option<Ecef<T>> {
         let (way, weight) = self.centre();
@@ -157,12 +172,13 @@ impl<T: Real> Camera<T> {
         (x.is_finite() & y.is_finite() & z.is_finite()).then_some(point)
     }
 
-    /// The rows for x, y and w, and half of the picture's size.
+    /// The rows of the matrix for x, y and w, and half of the picture's width and height in pixels.
     #[inline(always)]
     pub(super) fn rows(&self) -> ([[T; 4]; 3], [T; 2]) {
         (self.rows, self.pixels.map(|count| T::of(0.5) * count))
     }
 
+    /// The position in the picture of clip coordinates, in pixels from the middle.
     #[inline(always)]
     pub(super) fn on_picture(&self, [x, y, w]: [T; 3]) -> [T; 2] {
         let [width, height] = self.pixels;
@@ -171,20 +187,20 @@ impl<T: Real> Camera<T> {
     }
 }
 
-/// How far x, y and w are inside: before the eye, and of each side of the view.
+/// How far x, y and w are in front of the eye, and inside each of the four sides of the view.
 #[inline(always)]
 fn insides<T: Real>([x, y, w]: [T; 3]) -> [T; 5] {
     [w, w + x, w - x, w + y, w - y]
 }
 
-/// Why [`Camera::new`] refused.
+/// The error of [`Camera::new`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum InvalidCamera<T> {
-    /// A number of the matrix is infinite or NaN.
+    /// An element of the matrix is infinite or NaN.
     Matrix(T),
-    /// A number of pixels is not positive and finite.
+    /// The width or height in pixels is not positive and finite.
     Pixels(T),
 }
 
@@ -192,7 +208,7 @@ impl<T: fmt::Debug> fmt::Display for InvalidCamera<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Matrix(entry) => write!(f, "expected a matrix of finite numbers, got {entry:?}"),
-            Self::Pixels(count) => write!(f, "expected a positive, finite number of pixels, got {count:?}"),
+            Self::Pixels(count) => write!(f, "expected a positive, finite size in pixels, got {count:?}"),
         }
     }
 }

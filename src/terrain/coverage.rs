@@ -5,22 +5,24 @@ use crate::Real;
 use crate::cube::CubeProjection;
 use crate::math::{max, min, select};
 
-/// Counter-clockwise, each corner followed by the middle of an edge.
+/// The corners and the middles of the edges as nodes of a grid of 2 × 2 cells, counter-clockwise.
 pub(super) const BOUNDARY: [[u32; 2]; 8] = [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2], [0, 1]];
 
 impl<T: Real, P: CubeProjection> Enclosure<T, P> {
-    /// How many pixels the ground of a tile is taken to cover, whether they are in the picture or beyond its
-    /// sides; infinitely many if it is partly behind the eye.
+    /// Returns an estimate of the number of pixels that the ground of a tile covers, including those beyond
+    /// the sides of the picture. Returns infinity if the tile is partly behind the eye.
     ///
-    /// It is the area within the tile's edges at the middle of its heights, and what a relief of two fifths
-    /// of their range has of outline beyond that: half of the sum of four walls along the edges, since a line
-    /// of sight that meets two of them enters by one. Two fifths, because hills do not fill their box: with
-    /// that there are about as many tiles as there would be if the ground itself were known
-    /// (`tests/terrain/visible.rs`). Slopes that turn their back count as if they were seen.
+    /// The estimate is the area within the tile's edges at the middle of its heights, plus the outline of a
+    /// relief of two fifths of their range: half of the sum of four walls along the edges, since a line of
+    /// sight that meets two walls enters through one of them. It is two fifths because hills do not fill
+    /// their box: with that factor, a [`Selection`](super::Selection) has about as many tiles as if the
+    /// ground itself were known (`tests/terrain/visible.rs`). Slopes that face away from the eye count as if
+    /// they were visible.
     ///
-    /// Where heights are farther apart than the tile is wide, the ground is somewhere in a tall box and not
-    /// everywhere: a box as high as wide is taken for it, the nearest to the centre of projection of those
-    /// that may be in the picture. Infinitely many pixels if the centre of projection is in it.
+    /// If the height range is larger than the tile's width, the ground is somewhere in a tall box and does
+    /// not fill it. A box as high as it is wide then stands for the ground: of those that may be in the
+    /// picture, the one nearest to the centre of projection. Returns infinity if the centre of projection is
+    /// inside it.
     ///
     /// ```
     /// use terrella::cube::{Balanced, CubeMap, Face};
@@ -37,13 +39,17 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
     /// assert!((pixels.sqrt() - 97.0).abs() < 1.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "SSE")]
+    #[doc(alias = "screen-space error")]
+    #[doc(alias = "screen space error")]
+    #[doc(alias = "geometric error")]
     #[must_use]
     pub fn coverage(&self, camera: &Camera<T>, tile: Tile, heights: Heights<T>) -> T {
         let slab = Slab::new(&self.of(tile, heights), camera, camera.point());
         self.covered(camera, tile, heights, &slab)
     }
 
-    /// The same, where it is known what is taken for the ground.
+    /// The same as [`coverage`](Self::coverage), for a slab that is already known.
     #[inline]
     pub(super) fn covered(&self, camera: &Camera<T>, tile: Tile, heights: Heights<T>, slab: &Slab<T>) -> T {
         let half = T::of(0.5);
@@ -67,10 +73,11 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
         };
         let [_, centre, _] = wall([1, 1]);
         let nodes = BOUNDARY.map(wall);
-        // Eight triangles, those of either sense apart: beyond the horizon a tile turns its back.
+        // Eight triangles. The areas of the two orientations are added up separately: beyond the horizon a
+        // tile turns its back.
         let (mut areas, mut walls) = ([T::ZERO; 2], T::ZERO);
-        for ([top, here, foot], [next_top, next, next_foot]) in nodes.into_iter().zip(nodes.into_iter().cycle().skip(1))
-        {
+        let following = nodes.into_iter().cycle().skip(1);
+        for ([top, here, foot], [next_top, next, next_foot]) in nodes.into_iter().zip(following) {
             let area = turn(centre, here, centre, next);
             let [front, back] = &mut areas;
             *front += max(area, T::ZERO);
@@ -83,7 +90,7 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
     }
 }
 
-/// The cross product of the ways from a to b and from c to d.
+/// The cross product of the vector from a to b and the vector from c to d.
 #[inline(always)]
 fn turn<T: Real>([ax, ay]: [T; 2], [bx, by]: [T; 2], [cx, cy]: [T; 2], [dx, dy]: [T; 2]) -> T {
     (bx - ax) * (dy - cy) - (by - ay) * (dx - cx)

@@ -5,30 +5,41 @@ use crate::Real;
 use crate::cube::{Corner, CubeProjection, Face};
 use crate::math::max;
 
-/// What the tiles of a level lack of being flat: from [`Patches::flatness`].
+/// How far the tiles of a level differ from bilinear patches between their corners: from
+/// [`Patches::flatness`].
+#[doc(alias = "geometric error")]
+#[doc(alias = "LOD")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flatness {
-    /// No displacement from the bilinear patch between the corners is longer, on the ellipsoid; on a level
-    /// base at height b none is longer than this and |b| times `turning`: metres.
+    /// A bound on the displacement from the bilinear patch, on the ellipsoid, in metres. On a level base at
+    /// height b the bound is `displacement` + |b| · `turning`.
     pub displacement: f64,
-    /// No normal is farther from the one interpolated between those of the corners: the length of the difference.
+    /// A bound on the length of the difference between a normal and the normal interpolated between those of
+    /// the corners. It has no unit.
     pub turning: f64,
 }
 
 impl<P: CubeProjection> Patches<P> {
-    /// Bounds of displacement and normals over all tiles of a level; a level above 30 is taken for 30.
+    /// Returns bounds on the displacements and normals of all tiles of a level. A level above 30 is treated
+    /// as 30.
     ///
-    /// Bilinear interpolation of a surface G is within (w²/8)(max |∂²G/∂x²| + max |∂²G/∂y²|) for a tile of width w = 2^(1−level), which falls by four
-    /// from level to level. Where a projection is creased (the quadrilateralized, vertex and HEALPix cubes on the faces' diagonals) the second derivative is none and the tiles on the crease lose
-    /// only half, by a displacement along the ground; in the conformal cube's corners, where G is of the order of the 4/3rd power of the distance, 2^(4/3).
+    /// For a surface G, the error of bilinear interpolation over a tile of width w = 2^(1−level) is at most
+    /// (w²/8)(max |∂²G/∂x²| + max |∂²G/∂y²|): a quarter at each next level. Where a projection has a crease
+    /// (the quadrilateralized, vertex and HEALPix cubes, on the diagonals of the faces) there is no second
+    /// derivative, and the error of the tiles on the crease, a displacement along the ground, only halves. In
+    /// the corners of the conformal cube, where G behaves like the 4/3rd power of the distance, the error
+    /// shrinks by 2^(4/3).
     ///
-    /// So the tiles themselves are asked, at the level itself: those next to a face's centre, edges and corners, and at eighths of the way, in a
-    /// quarter of the front and of the top; the largest of 7 × 7 places in them, and a quarter more for the places and tiles between. Rounding, 4 ulps of the planet's radius, is added. It
-    /// presumes a projection with the symmetries of the square, of which these tiles are the worst, as all of this crate are: `tests/terrain/patch.rs` searches. It is
-    /// at most twice the largest at levels 0 to 22; beyond, rounding begins to be more than the displacement.
+    /// The bounds are therefore measured at the level itself. The tiles tried are those next to a face's
+    /// centre, edges and corners, and at eighths of the way, in a quarter of the front and of the top. The
+    /// result is the largest value at 7 × 7 points of each, times 1.25 for the points and tiles between, plus
+    /// 4 ulps of the planet's radius for rounding. This assumes a projection with the symmetries of the
+    /// square, for which these tiles are the worst; all projections of this crate are such
+    /// (`tests/terrain/patch.rs` searches for counterexamples). At levels 0 to 22 the result is at most twice
+    /// the true maximum; at finer levels rounding begins to exceed the displacement.
     ///
-    /// It takes about a millisecond: to be asked when a map is loaded, not in a frame.
+    /// A call takes about a millisecond: make it when a map is loaded, not in every frame.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Quadrilateralized, Tangential};
@@ -38,7 +49,9 @@ impl<P: CubeProjection> Patches<P> {
     /// let earth = Ellipsoid::WGS84;
     /// let patches = Patches::new(CubeMap::new(earth, Shift::Authalic, Tangential)?);
     /// let flatness = [8, 9, 10].map(|level| patches.flatness(level).displacement);
-    /// assert!((flatness[0] / flatness[1] - 4.0).abs() < 0.1 && (flatness[1] / flatness[2] - 4.0).abs() < 0.1);
+    /// for k in 0..2 {
+    ///     assert!((flatness[k] / flatness[k + 1] - 4.0).abs() < 0.1);
+    /// }
     /// let creased = Patches::new(CubeMap::new(earth, Shift::Authalic, Quadrilateralized)?);
     /// assert!(creased.flatness(16).displacement > 0.4 * creased.flatness(15).displacement);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -58,7 +71,8 @@ impl<P: CubeProjection> Patches<P> {
         }
     }
 
-    /// The squares of the longest displacement and of the largest difference of a normal, among 7 × 7 places of a tile.
+    /// The squares of the longest displacement and of the largest difference of a normal, among 7 × 7 points
+    /// of a tile.
     fn bulge(&self, tile: Tile) -> [f64; 2] {
         const PARTS: u32 = 6;
         let ends = Corner::ALL.map(|corner| self.ground(tile.corner(corner)));
@@ -77,12 +91,15 @@ impl<P: CubeProjection> Patches<P> {
         most
     }
 
-    /// The coarsest level whose tiles need neither displacements nor normals of their own: corners, on
-    /// whatever level base in this range, their normals and heights in this range are enough
-    /// ([`Vertices::plain`](super::Vertices::plain)) to be within a tolerance in metres; none if not even
-    /// level 30 is.
+    /// Returns the coarsest level whose tiles need no displacements and no normals of their own, to stay
+    /// within a tolerance in metres. Returns `None` if even level 30 exceeds the tolerance.
     ///
-    /// On the Earth (WGS 84, authalic latitude), at heights from −11 to 9 km or none at all:
+    /// From this level on a renderer needs only the corners of each tile, their normals, and the terrain
+    /// heights ([`Vertices::plain`](super::Vertices::plain)). This holds for any level base in the range
+    /// `heights`, and for terrain heights in that range.
+    ///
+    /// On the Earth (WGS 84, authalic latitude), for heights from −11 to 9 km or for heights of 0, the levels
+    /// are:
     ///
     /// | projection | 1 m | 1 cm | 1 mm |
     /// |---|---|---|---|
@@ -98,14 +115,17 @@ impl<P: CubeProjection> Patches<P> {
     /// use terrella::terrain::{Heights, Patches};
     /// use terrella::{Ellipsoid, Shift};
     ///
-    /// let earth = |projection| CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection).map(Patches::new);
+    /// let earth = |projection| {
+    ///     CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection).map(Patches::new)
+    /// };
     /// let sea = Heights::default();
     /// assert_eq!(earth(Projection::Adjusted)?.plain_level(1.0, sea), Some(12));
-    /// // Creased: places would be shifted along the ground.
+    /// // This projection has a crease: points would be displaced along the ground.
     /// assert_eq!(earth(Projection::Quadrilateralized)?.plain_level(1.0, sea), Some(21));
     /// assert_eq!(earth(Projection::Adjusted)?.plain_level(0.0, sea), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "LOD")]
     #[must_use]
     pub fn plain_level(&self, tolerance: f64, heights: Heights<f64>) -> Option<u8> {
         let height = max(heights.low().abs(), heights.high().abs());
@@ -115,15 +135,22 @@ impl<P: CubeProjection> Patches<P> {
         })
     }
 
-    /// How far apart, in metres, the edges of two tiles may be where one of this level meets one of the next finer level or any beyond: the length of the skirt, along the normal downward
-    /// from the edges of both, that hides the gap. `samples` are those along an edge of either tile, `heights` those of the terrain there.
+    /// Returns the length of the skirts, in metres, that hide the gaps between a tile of this level and an
+    /// adjacent tile of the next finer level or any level beyond it.
     ///
-    /// Between two samples an edge is a straight line. A cell of the grid is no larger than a tile of a level finer by the whole part of log₂(samples − 1),
-    /// and the ground is within that level's [`flatness`](Self::flatness), f, of the cell's edge. With h₀ the mean of the lowest and the highest height, and r half
-    /// their difference, a vertex at G + hN is within r of G + h₀N, and an edge within f + |h₀|f′ + r, f′ the same bound for normals. The skirt is what two edges have together.
+    /// Draw the skirt downward along the normal, from the edges of both tiles. `samples` is the number of
+    /// samples along an edge of either tile; `heights` is the range of the terrain's heights there.
     ///
-    /// Where edges bend to the side they part to the side too, which a skirt straight down does not hide: with 65 samples, on the Earth at level 8, by up to 7 mm, in
-    /// the conformal cube 9 cm, and next to the tips of the quadrilateralized, vertex and HEALPix cubes 0.8 m.
+    /// Between two samples an edge is a straight line. A cell of the grid is no larger than a tile of a level
+    /// finer by the whole part of log₂(samples − 1), so the ground is within f, the
+    /// [`flatness`](Self::flatness) of that level, of the cell's edge. Let h₀ be the mean of the lowest and
+    /// the highest height, r half of their difference, and f′ the bound of that level for normals. A vertex
+    /// at G + hN is within r of G + h₀N, and an edge is within f + |h₀|f′ + r. The length returned is the sum
+    /// of this for both edges.
+    ///
+    /// Edges that bend sideways also leave a gap sideways, which a vertical skirt does not hide. With 65
+    /// samples on the Earth at level 8 it is up to 7 mm; in the conformal cube 9 cm, and next to the tips of
+    /// the quadrilateralized, vertex and HEALPix cubes 0.8 m.
     ///
     /// ```
     /// use terrella::cube::{Adjusted, CubeMap};
@@ -136,6 +163,8 @@ impl<P: CubeProjection> Patches<P> {
     /// assert!((50.0..50.1).contains(&hills));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "T-junction")]
+    #[doc(alias = "crack filling")]
     #[must_use]
     pub fn skirt(&self, level: u8, samples: u32, heights: Heights<f64>) -> f64 {
         let finer = samples.saturating_sub(1).checked_ilog2().unwrap_or(0) as u8;
@@ -149,7 +178,7 @@ impl<P: CubeProjection> Patches<P> {
     }
 }
 
-/// Tiles of a level among which the worst is, or nearly.
+/// Tiles of a level among which is the worst one, or nearly the worst.
 pub(super) fn witnesses(level: u8) -> impl Iterator<Item = Tile> {
     let level = level.min(Tile::MAX_LEVEL);
     let last = (1_u32 << level) - 1;
@@ -161,7 +190,8 @@ pub(super) fn witnesses(level: u8) -> impl Iterator<Item = Tile> {
         _ => half + (u64::from(half) * u64::from(place - 5) / 8) as u32,
     };
     let indices = move || (0..13).map(near).map(move |index| index.clamp(half.min(last), last));
+    let row = move |face, j| indices().map(move |i| Tile::within(face, level, i, j));
     [Face::Front, Face::Top]
         .into_iter()
-        .flat_map(move |face| indices().flat_map(move |j| indices().map(move |i| Tile::within(face, level, i, j))))
+        .flat_map(move |face| indices().flat_map(move |j| row(face, j)))
 }

@@ -3,7 +3,8 @@ use super::{Camera, Horizon};
 use crate::cube::{CubeMap, CubeProjection, FacePoint};
 use crate::{Direction, Dual, Ecef, Real, Shifted};
 
-/// Pixels as places of a cube map: the derivative of the way from the face to the picture, inverted.
+/// The footprint of a pixel on a face of the cube: the inverse of the derivative of the map from the face to
+/// the picture.
 pub(super) struct Footprint<T, P> {
     projection: P,
     lifted: Shifted<Dual<T, 2>>,
@@ -14,7 +15,7 @@ pub(super) struct Footprint<T, P> {
 }
 
 impl<T: Real, P: CubeProjection> Footprint<T, P> {
-    /// Of the ground at a height.
+    /// Creates it for ground at a constant height, in metres.
     pub(super) fn new(map: &CubeMap<T, P>, camera: &Camera<T>, height: T) -> Self {
         let (rows, half) = camera.rows();
         Self {
@@ -27,10 +28,11 @@ impl<T: Real, P: CubeProjection> Footprint<T, P> {
         }
     }
 
-    /// What a pixel to the right and a pixel up change x and y by; none where the ground is behind the eye,
-    /// the planet itself hides it, or the map has no derivative.
+    /// Returns how x and y of the face change for a step of one pixel to the right and for a step of one
+    /// pixel up. Returns `None` if the ground there is behind the eye, is hidden by the planet, or the map
+    /// has no invertible derivative.
     ///
-    /// Ground above the eye is as if seen from below, and its area negative, as it is of all ground in a
+    /// Ground above the eye is treated as seen from below; its area is negative, like that of all ground in a
     /// mirrored picture.
     pub(super) fn at(&self, point: FacePoint<T>, horizon: &Horizon<T>) -> Option<[[T; 2]; 2]> {
         let face = point.face();

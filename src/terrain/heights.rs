@@ -4,7 +4,7 @@ use crate::latitude::Turn;
 use crate::math::{sin_cos_degrees, sin_cos_small};
 use crate::{Enu, LatLon, Real, Shifted};
 
-/// The lowest and the highest height of a piece of terrain above the ellipsoid, in metres.
+/// The range of heights of a piece of terrain above the ellipsoid, in metres.
 ///
 /// ```
 /// use terrella::terrain::{Heights, InvalidHeights};
@@ -25,7 +25,7 @@ impl<T: Real> Heights<T> {
     /// Creates the range from the lowest to the highest height, in metres.
     ///
     /// # Errors
-    /// [`InvalidHeights`] if one is infinite or NaN, or the lowest above the highest.
+    /// [`InvalidHeights`] if a height is infinite or NaN, or if `low` > `high`.
     #[inline]
     pub fn new(low: T, high: T) -> Result<Self, InvalidHeights<T>> {
         if low.is_finite() && high.is_finite() && low <= high {
@@ -50,7 +50,7 @@ impl<T: Real> Heights<T> {
     }
 }
 
-/// Heights of which one is infinite or NaN, or the first is above the second.
+/// The error of [`Heights::new`]: a height is infinite or NaN, or the lowest is above the highest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidHeights<T> {
@@ -64,7 +64,7 @@ impl<T: fmt::Debug> fmt::Display for InvalidHeights<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "expected finite heights, the lowest first, got {:?} and {:?}",
+            "expected finite heights with low ≤ high, got {:?} and {:?}",
             self.low, self.high
         )
     }
@@ -72,14 +72,14 @@ impl<T: fmt::Debug> fmt::Display for InvalidHeights<T> {
 
 impl<T: fmt::Debug> core::error::Error for InvalidHeights<T> {}
 
-/// What it costs to read a height along the sphere's normal in place of the ellipsoid's: from where the
-/// height should be to where it then is, in metres in the axes of the place.
+/// Returns the error of applying a height along the sphere's normal instead of the ellipsoid's: the vector
+/// from the correct point to the point obtained, in metres, in the local east, north, up axes.
 ///
-/// The sphere's normal at a place is the direction that the map's shift gives it, of latitude ξ, and the
-/// ellipsoid's has the geodetic latitude φ: the height h goes h·sin(φ − ξ) toward the equator and h·(1 −
-/// cos(φ − ξ)) down (Lambers & Kolb 2012, Fig. 7, for the geocentric latitude). On the Earth it is up to 0.34
-/// % of the height with the geocentric latitude, 0.22 % with the authalic one, and nothing with the geodetic
-/// one. Within 3 ulps of the larger part.
+/// The sphere's normal at a place is the direction that the map's shift gives it, of latitude ξ; the
+/// ellipsoid's normal has the geodetic latitude φ. The point at height h is then h·sin(φ − ξ) too far toward
+/// the equator and h·(1 − cos(φ − ξ)) too low (Lambers & Kolb 2012, Fig. 7, for the geocentric latitude). On
+/// the Earth the error is up to 0.34 % of the height with the geocentric latitude, 0.22 % with the authalic
+/// one, and zero with the geodetic one. The result is within 3 ulps of its larger component.
 ///
 /// ```
 /// use terrella::terrain::lean;
@@ -100,7 +100,7 @@ pub fn lean<T: Real>(shifted: &Shifted<T>, position: LatLon<T>, height: T) -> En
     Enu {
         east: T::ZERO,
         north: height * sine,
-        // 1 − cos without the difference.
+        // 1 − cos, computed without cancellation.
         up: -(height * (sine * sine / (T::ONE + cosine))),
     }
 }

@@ -3,14 +3,17 @@ use super::key::sealed::Order;
 use crate::cube::{Face, Numbering};
 use crate::math::{gathered, spread};
 
-/// Hilbert's curve, as S2 draws it through the six faces: each tile of a level shares an edge with the next.
+/// Hilbert's curve, drawn through the six faces as S2 does it: of one level, each tile shares an edge with
+/// the next.
 ///
-/// With S2's faces and axes, so that a tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube has the
-/// number of S2's cell in the same place. Of a place on a line between cells S2 may choose another one than
-/// [`Tile::containing`](super::Tile::containing): [`Key::s2_leaf`](super::Key::s2_leaf) is S2's own.
+/// It uses S2's face numbers and axes, so a tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube has
+/// the id of the S2 cell that covers the same place. For a point exactly on the line between two cells, S2
+/// may choose a different cell than [`Tile::containing`](super::Tile::containing);
+/// [`Key::s2_leaf`](super::Key::s2_leaf) returns S2's choice.
 ///
-/// Without a table or a loop: what a level does to the ones below is a map of two bits, whether the axes are exchanged and whether they are
-/// reversed, and the maps of all levels are combined at once, by a long division and sums over leading bits.
+/// The conversion uses no table and no loop over levels. Each level acts on the levels below it as a map of
+/// two bits: whether the axes are exchanged, and whether they are reversed. The maps of all levels are
+/// combined at once, with one long division and prefix sums over the bits.
 ///
 /// ```
 /// use terrella::cube::{CubeProjection, Face, S2Quadratic};
@@ -22,17 +25,19 @@ use crate::math::{gathered, spread};
 /// assert_eq!(key.to_string(), "47e66e1"); // S2's cell there
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "Hilbert curve")]
+#[doc(alias = "S2 curve")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hilbert;
 
 impl Curve for Hilbert {}
 
-/// Every other of 30 bits, the first among them.
+/// Every other one of 30 bits, starting with the highest.
 const ODD: u32 = 0x2aaa_aaaa;
-/// 30 bits.
+/// The lowest 30 bits.
 const ALL: u32 = 0x3fff_ffff;
-/// Every other bit.
+/// Every other bit of 64, starting with the lowest.
 const ALTERNATE: u64 = 0x5555_5555_5555_5555;
 
 impl Order for Hilbert {
@@ -57,14 +62,17 @@ impl Order for Hilbert {
     #[inline(always)]
     fn place(face: Face, i: u32, j: u32) -> u64 {
         let (i, j) = exchanged(face, reversed(face, (i, j)));
-        // At each level, with s (exchanged) and r (reversed) from the levels above, the two digits are q = i ^ r ^ (s & d) and d = i ^ j,
-        // and (s, r) becomes (s ^ !(q ^ d), r ^ (q & d)). With s and r exchanged below every other level this is (s, r) = w(s, r) + (c, e)
-        // in the field of four elements, where w is 1 for d = 1, and for d = 0 it and its inverse take turns.
+        // At each level let s (exchanged) and r (reversed) be the state that the levels above have produced.
+        // Then the level's two binary digits are q = i ^ r ^ (s & d) and d = i ^ j, and the state (s, r)
+        // becomes (s ^ !(q ^ d), r ^ (q & d)). If s and r trade places below every other level, each step is
+        // an affine map in the field of four elements: (s, r) is multiplied by a factor and (c, e) is added.
+        // The factor is 1 if d = 1, and alternately w and its inverse if d = 0.
         let d = i ^ j;
         let same = !d & ALL;
         let (high, low) = (d & i, same & !i);
         let (c, e) = (high | low & !ODD, high | low & ODD);
-        // The power of w that the levels so far come to: an alternating sum of bits modulo 3, which is the remainder of a long division by 3.
+        // The product of the factors so far is w to the power of an alternating sum of bits modulo 3. A long
+        // division by 3 computes that sum as its remainder.
         let quotient = same / 3;
         let one = same ^ quotient;
         let two = quotient << 1 & !one;
@@ -79,7 +87,8 @@ impl Order for Hilbert {
     #[inline(always)]
     fn square(face: Face, place: u64) -> (u32, u32) {
         let (low, high) = (place & ALTERNATE, place >> 1 & ALTERNATE);
-        // Whether the level exchanges, and whether it reverses, the levels below: then all above it together.
+        // Whether each level exchanges, and whether it reverses, the levels below it; then the combined
+        // effect of all levels above.
         let mut state = (!(high ^ low) & ALTERNATE | (high & low) << 1) & ((1 << 60) - 1);
         for shift in [2, 4, 8, 16, 32] {
             state ^= state >> shift;
@@ -92,19 +101,20 @@ impl Order for Hilbert {
     }
 }
 
-/// w to the power of a remainder modulo 3 at every other bit, and to its negative at the others: (a, b) for a + bw.
+/// Powers of w as (a, b) for a + bw: w to the power of a remainder modulo 3 at every other bit, and w to the
+/// negative of that power at the other bits. `one` and `two` mark the bits where the remainder is 1 or 2.
 #[inline(always)]
 const fn power(one: u32, two: u32) -> (u32, u32) {
     (!(one ^ (one ^ two) & ODD), one | two)
 }
 
-/// The product with c + ew, where w² = w + 1.
+/// The product of a + bw and c + ew at each bit, where w² = w + 1.
 #[inline(always)]
 const fn product((a, b): (u32, u32), (c, e): (u32, u32)) -> (u32, u32) {
     (a & c ^ b & e, b & c ^ (a ^ b) & e)
 }
 
-/// At each bit, the sum modulo 2 of all above it.
+/// At each bit, the sum modulo 2 of all higher bits.
 #[inline(always)]
 const fn all_above(bits: u32) -> u32 {
     let x = bits >> 1;
@@ -115,25 +125,28 @@ const fn all_above(bits: u32) -> u32 {
     x ^ x >> 16
 }
 
-/// By the bit of a face: whether its axes are exchanged on the way to the curve's, which are S2's, exchanged on S2's faces of odd number.
+/// One bit for each face, by its index: whether the face's axes are exchanged to become the curve's axes. The
+/// curve's axes are S2's, exchanged on the S2 faces of odd number.
 const EXCHANGED: u8 = 0b11_1010;
-/// Whether its columns are counted backwards first.
+/// One bit for each face: whether its columns are counted backwards before that.
 const REVERSED_I: u8 = 0b01_0000;
-/// Whether its rows are.
+/// One bit for each face: whether its rows are counted backwards before that.
 const REVERSED_J: u8 = 0b00_1100;
 
-/// 30 ones if the face's bit is set, or none.
+/// Returns 30 ones if the face's bit is set in `set`, else 0.
 #[inline(always)]
 const fn mask(set: u8, face: Face) -> u32 {
     ((set >> face.index() & 1) as u32).wrapping_neg() & ALL
 }
 
+/// Exchanges column and row on the faces of [`EXCHANGED`].
 #[inline(always)]
 const fn exchanged(face: Face, (i, j): (u32, u32)) -> (u32, u32) {
     let change = (i ^ j) & mask(EXCHANGED, face);
     (i ^ change, j ^ change)
 }
 
+/// Counts columns or rows backwards on the faces of [`REVERSED_I`] and [`REVERSED_J`].
 #[inline(always)]
 const fn reversed(face: Face, (i, j): (u32, u32)) -> (u32, u32) {
     (i ^ mask(REVERSED_I, face), j ^ mask(REVERSED_J, face))

@@ -3,30 +3,36 @@ use super::{Camera, OrientedBox};
 use crate::math::{max, min, select};
 use crate::{Ecef, Ellipsoid, Real};
 
-/// What the planet itself hides from an eye.
+/// Horizon culling: tells which points the planet itself hides from an eye.
 ///
-/// Cozzi & Ring, *3D engine design for virtual globes* (2011), §12.3, with Stoner's test in scaled space, as Cesium has it: divided by the
-/// ellipsoid's axes the planet is a unit sphere; with V the eye, T the point and d = (T − V)·(−V), the point is beyond the plane of the horizon for
-/// d > V² − 1 and hidden if d²/(T − V)² > V² − 1 too. No trigonometry; one root for each eye, none for a point.
+/// The test is that of Cozzi & Ring, *3D engine design for virtual globes* (2011), §12.3, with Stoner's test
+/// in scaled space, as Cesium uses it. Divided by the ellipsoid's axes, the planet is a unit sphere. Let V be
+/// the eye, T the point and d = (T − V)·(−V). The point is beyond the plane of the horizon if d > V² − 1, and
+/// it is hidden if also d²/(T − V)² > V² − 1. The test needs no trigonometry, one square root for each eye,
+/// and none for a point.
 ///
-/// Where terrain goes down to `lowest` below the ellipsoid, the planet is taken for the ellipsoid times 1 + lowest/b, b being the smaller axis. That is
-/// nowhere above the depth: at any normal it is lower by |lowest|·H/b, where H is the ellipsoid's support, and H ≥ b. For `lowest` above, b is the
-/// larger axis.
+/// If the terrain goes down to `lowest` below the ellipsoid, the ellipsoid times 1 + lowest/b stands for the
+/// planet, where b is the smaller axis. It is nowhere above that depth: along any normal it is lower by
+/// |lowest|·H/b, where H is the ellipsoid's support function, and H ≥ b. For a `lowest` above the ellipsoid,
+/// b is the larger axis.
 ///
-/// Parallel lines of sight ([`of`](Self::of)) are those of an eye that is infinitely far away: with D toward
-/// it, of length 1 in scaled space, T is beyond the plane of the horizon for T·D < 0 and hidden if T² −
-/// (T·D)² < 1 too.
+/// A parallel projection ([`of`](Self::of)) has its eye infinitely far away. Let D be the direction toward
+/// it, of length 1 in scaled space. T is beyond the plane of the horizon if T·D < 0, and it is hidden if also
+/// T² − (T·D)² < 1.
 ///
-/// What is hidden is a convex set, and with a point all that is behind it. A point inside the planet is hidden if it is beyond the plane of the
-/// horizon; on the near side it counts as seen, like the ground above it. From inside nothing is hidden. Rounding is
-/// allowed for: it hides nothing that is seen, as if the eye were higher by up to 4 ulps of the planet's radius.
+/// The hidden points form a convex set, and everything behind a hidden point is hidden. A point inside the
+/// planet is hidden if it is beyond the plane of the horizon; on the near side it counts as visible, like the
+/// ground above it. An eye inside the planet sees everything. The test allows for rounding, as if the eye
+/// were higher by up to 4 ulps of the planet's radius, so it never hides a visible point.
 ///
 /// ```
 /// use terrella::terrain::Horizon;
 /// use terrella::{Ellipsoid, Geodetic, LatLon};
 ///
 /// let earth = Ellipsoid::<f64>::WGS84;
-/// let at = |lat, lon, height| Ok::<_, Box<dyn std::error::Error>>(earth.to_ecef(Geodetic::new(LatLon::new(lat, lon)?, height)?));
+/// let at = |lat, lon, height| -> Result<_, Box<dyn std::error::Error>> {
+///     Ok(earth.to_ecef(Geodetic::new(LatLon::new(lat, lon)?, height)?))
+/// };
 /// // From 1000 m the horizon is 113 km away.
 /// let horizon = Horizon::new(earth, 0.0, at(45.0, 7.0, 1000.0)?);
 /// assert!(!horizon.hides(at(46.0, 7.0, 0.0)?));
@@ -34,32 +40,36 @@ use crate::{Ecef, Ellipsoid, Real};
 /// assert!(!horizon.hides(at(47.0, 7.0, 4000.0)?));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "horizon culling")]
+#[doc(alias = "occlusion culling")]
+#[doc(alias = "EllipsoidalOccluder")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Horizon<T> {
-    /// The eye; the planet's centre if the eye is infinitely far away.
+    /// The eye, or the planet's centre if the eye is infinitely far away.
     eye: [T; 3],
-    /// One over the axes.
+    /// The reciprocals of the ellipsoid's axes.
     scale: [T; 3],
-    /// V, or D.
+    /// V, or D for a parallel projection.
     scaled: [T; 3],
-    /// d at the plane of the horizon.
+    /// The value of d at the plane of the horizon.
     plane: T,
-    /// d²/(T − V)² on the line of sight to it.
+    /// The value of d²/(T − V)² on a line of sight to the horizon.
     cone: T,
-    /// The square of the shadow's radius where that is the same everywhere, or 0.
+    /// For a parallel projection the square of the radius of the shadow, which is a cylinder; else 0.
     cylinder: T,
 }
 
 impl<T: Real> Horizon<T> {
-    /// Of an ellipsoid with terrain nowhere lower than `lowest`, in metres above it, from an eye.
+    /// Creates the horizon of an eye. No terrain is lower than `lowest`, in metres above the ellipsoid
+    /// (negative below it).
     #[must_use]
     pub fn new(ellipsoid: Ellipsoid<T>, lowest: T, eye: Ecef<T>) -> Self {
         let (scale, solid) = scales(ellipsoid, lowest);
         let eye = eye.to_array();
         let scaled = product(eye, scale);
         let square = dot(scaled, scaled);
-        // What rounding may do to d, in units of |T − V|, is taken off it.
+        // Subtracted from d: the largest rounding error of d, in units of |T − V|.
         let rest = T::of(4.0) * T::EPSILON;
         let outside = square - T::ONE + rest * square;
         let sight = max(outside, T::ZERO).sqrt();
@@ -75,8 +85,8 @@ impl<T: Real> Horizon<T> {
         }
     }
 
-    /// The same for a camera: from its centre of projection, which may be infinitely far away, wherever the
-    /// eye is.
+    /// Creates the horizon of a camera. It is seen from the camera's centre of projection, wherever the eye
+    /// is; for a parallel projection that is infinitely far away.
     ///
     /// ```
     /// use terrella::terrain::{Camera, Horizon};
@@ -97,18 +107,19 @@ impl<T: Real> Horizon<T> {
         let (way, weight) = camera.centre();
         let eye = product(camera.eye().to_array(), scale);
         let way = product(way, scale);
-        // Homogeneous: the eye times the weight, and the way from there.
+        // Homogeneous coordinates: the eye times the weight, plus the way from there.
         let far = along(way, weight, eye);
         let length = dot(far, far).sqrt();
         let near = weight.abs() > length * T::EPSILON.sqrt();
         if let Some(point) = camera.point().filter(|_| near) {
             return Self::new(ellipsoid, lowest, point);
         }
-        // From farther away less is hidden: what is as good as infinitely far away may be taken for it.
+        // A centre of projection that is far enough away may be treated as infinitely far: from farther away,
+        // less is hidden.
         let toward = far.map(|v| v / length);
         let height = dot(toward, eye);
         let rest = T::of(8.0) * T::EPSILON;
-        // Lines of sight along the ground may come from either side.
+        // Lines of sight parallel to the ground may come from either side, so nothing is hidden then.
         let hides = solid & (height.abs() > T::ZERO);
         Self {
             eye: [T::ZERO; 3],
@@ -120,17 +131,17 @@ impl<T: Real> Horizon<T> {
         }
     }
 
-    /// Whether a point is hidden.
+    /// Returns whether the planet hides a point.
     #[must_use]
     #[inline]
     pub fn hides(&self, point: Ecef<T>) -> bool {
-        // The difference first: the digits of a near point are in it.
+        // The difference comes first: it keeps the digits of a near point.
         let way = product(difference(point.to_array(), self.eye), self.scale);
         let down = -dot(way, self.scaled);
         (down > self.plane) & (down * down + self.cylinder > self.cone * dot(way, way))
     }
 
-    /// Whether all of a box is hidden: all of its corners are.
+    /// Returns whether the planet hides all of a box: all of its corners.
     #[must_use]
     #[inline]
     pub fn hides_box(&self, bounds: &OrientedBox<T>) -> bool {
@@ -138,7 +149,8 @@ impl<T: Real> Horizon<T> {
     }
 }
 
-/// One over the axes of the planet in the ground that is nowhere lower, and whether there is any.
+/// The reciprocals of the axes of the ellipsoid that stands for the planet, and whether it has a positive
+/// size.
 #[inline(always)]
 fn scales<T: Real>(ellipsoid: Ellipsoid<T>, lowest: T) -> ([T; 3], bool) {
     let (a, b) = (ellipsoid.a(), ellipsoid.b());
@@ -149,6 +161,7 @@ fn scales<T: Real>(ellipsoid: Ellipsoid<T>, lowest: T) -> ([T; 3], bool) {
     ([a, a, b].map(|axis| T::ONE / (axis * size)), solid)
 }
 
+/// The product of two vectors, component by component.
 #[inline(always)]
 fn product<T: Real>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
     [ax * bx, ay * by, az * bz]

@@ -4,8 +4,10 @@ use core::str::FromStr;
 
 use super::Tile;
 
-/// How the tiles of all faces and levels are laid on a line: [`Morton`](super::Morton) or
-/// [`Hilbert`](super::Hilbert). Sealed.
+/// A space-filling curve that numbers the tiles of all faces and levels: [`Morton`](super::Morton) or
+/// [`Hilbert`](super::Hilbert).
+///
+/// This trait is sealed: other crates cannot implement it.
 pub trait Curve: sealed::Order {}
 
 pub(super) mod sealed {
@@ -14,33 +16,35 @@ pub(super) mod sealed {
 
     use crate::cube::Face;
 
-    /// A curve through the faces, and through the 2³⁰ × 2³⁰ squares of each.
+    /// A curve through the six faces and through the 2³⁰ × 2³⁰ finest squares of each face.
     pub trait Order: Copy + Debug + Default + Ord + Hash {
-        /// The number of a face, 0 to 5.
+        /// Returns the number of a face on the curve, 0 to 5.
         fn number(face: Face) -> u8;
 
-        /// The face of a number; any face above 5.
+        /// Returns the face that has this number; returns some face for a number above 5.
         fn face(number: u8) -> Face;
 
-        /// The place of column i and row j along the curve in a face. The first 2L of 60 bits depend on the
-        /// first L of 30.
+        /// Returns the position of column i and row j along the curve within a face, a number of 60 bits. i
+        /// and j have 30 bits each; the first 2L bits of the position depend only on the first L bits of i
+        /// and j.
         fn place(face: Face, i: u32, j: u32) -> u64;
 
-        /// The column and row of a place.
+        /// Returns the column and row of a position along the curve: the inverse of [`place`](Self::place).
         fn square(face: Face, place: u64) -> (u32, u32);
     }
 }
 
-/// A tile as one number, in the order of a curve.
+/// A quadtree tile as one 64-bit number; the numbers follow the order of a space-filling curve.
 ///
-/// Three bits of face, then two for each level, then a one, then zeros: the layout of S2's cell ids (Google,
-/// `s2cell_id.h`). A tile's descendants are a range, and so every ancestor's, with which a sorted table or a
-/// tree finds them; the tile itself is in the middle of it. Numbers next to each other are near on the
-/// ground, the more so along [`Hilbert`](super::Hilbert)'s curve, with which a key is the id of S2's cell:
-/// [`s2_leaf`](Key::s2_leaf) is that of a direction.
+/// The layout is that of S2's cell ids (Google, `s2cell_id.h`): three bits for the face, two bits for each
+/// level, then a one, then zeros. The keys of a tile and of all its descendants form one contiguous
+/// [`range`](Self::range), with the tile's own key in its middle. A sorted table or a tree can therefore look
+/// up a whole subtree as one range. Tiles with consecutive keys are near each other on the ground, more so on
+/// [`Hilbert`](super::Hilbert)'s curve than on [`Morton`](super::Morton)'s. On Hilbert's curve a key is the
+/// id of S2's cell; [`s2_leaf`](Key::s2_leaf) returns the key of a direction.
 ///
-/// Written and parsed as S2's token: the digits in base 16 without the zeros at the end, fit for the name of
-/// a file; of keys of one level tokens sort as the keys do.
+/// The text form ([`Display`](fmt::Display), [`FromStr`]) is S2's token: the hexadecimal digits without
+/// trailing zeros, suitable for a file name. Tokens of one level sort in the same order as their keys.
 ///
 /// ```
 /// use std::collections::BTreeMap;
@@ -57,6 +61,8 @@ pub(super) mod sealed {
 /// assert_eq!(loaded.range(face.range()).count(), 1);
 /// # Ok::<(), terrella::terrain::InvalidTile>(())
 /// ```
+#[doc(alias = "quadkey")]
+#[doc(alias = "space-filling curve")]
 #[doc(alias = "S2CellId")]
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Key<C> {
@@ -64,13 +70,13 @@ pub struct Key<C> {
     curve: C,
 }
 
-/// Two bits of every pair.
+/// The lower bit of every pair of bits: the possible positions of the bit that ends a key.
 const PAIRS: u64 = 0x1555_5555_5555_5555;
-/// Bits below those of the face.
+/// The number of bits below the three bits of the face.
 const BELOW_FACE: u32 = 61;
 
 impl<C: Curve> Key<C> {
-    /// The key of a number.
+    /// Creates a key from its number.
     ///
     /// ```
     /// use terrella::terrain::{InvalidKey, Key, Morton};
@@ -80,8 +86,8 @@ impl<C: Curve> Key<C> {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidKey`] if the first three bits are above 5, or the last one that is set is not where a level's
-    /// is.
+    /// [`InvalidKey`] if the face, in the highest three bits, is above 5, or if the lowest bit that is set is
+    /// not at the position where a key of some level ends (an even position, 0 to 60).
     #[inline]
     pub fn new(bits: u64) -> Result<Self, InvalidKey> {
         if bits >> BELOW_FACE < 6 && bits & bits.wrapping_neg() & PAIRS != 0 {
@@ -99,27 +105,28 @@ impl<C: Curve> Key<C> {
         }
     }
 
-    /// The number.
+    /// Returns the number.
     #[must_use]
     #[inline(always)]
     pub const fn bits(self) -> u64 {
         self.bits
     }
 
-    /// The tile's level.
+    /// Returns the tile's level, 0 to 30.
     #[must_use]
     #[inline]
     pub const fn level(self) -> u8 {
         Tile::MAX_LEVEL - (self.bits.trailing_zeros() / 2) as u8
     }
 
-    /// The bit that ends the number.
+    /// The lowest bit that is set: it ends the number and marks the level.
     #[inline(always)]
     const fn end(self) -> u64 {
         self.bits & self.bits.wrapping_neg()
     }
 
-    /// The key of the tile of a coarser level, or the same, that holds this one; none for a finer level.
+    /// Returns the key of the tile of `level` that contains this tile (the tile itself for its own level).
+    /// Returns `None` if `level` is finer than this tile's level.
     ///
     /// ```
     /// use terrella::cube::Face;
@@ -138,7 +145,8 @@ impl<C: Curve> Key<C> {
         })
     }
 
-    /// The keys of the tile and all its descendants, to the finest level: from the smallest to the largest.
+    /// Returns the range of keys of this tile and all its descendants down to level 30, from the smallest key
+    /// to the largest.
     ///
     /// ```
     /// use terrella::cube::Face;
@@ -154,7 +162,7 @@ impl<C: Curve> Key<C> {
         Self::within(self.bits - half)..=Self::within(self.bits + half)
     }
 
-    /// Whether the other key is this one's or that of a descendant.
+    /// Returns whether `other` is this key or the key of a descendant.
     #[must_use]
     #[inline]
     pub const fn contains(self, other: Self) -> bool {
@@ -162,7 +170,7 @@ impl<C: Curve> Key<C> {
     }
 }
 
-/// The bit that ends a key of a level.
+/// The bit that ends a key of this level.
 #[inline(always)]
 const fn end_of(level: u8) -> u64 {
     1 << (2 * (Tile::MAX_LEVEL - level))
@@ -214,7 +222,11 @@ impl<C: Curve> defmt::Format for Key<C> {
 impl<C: Curve> FromStr for Key<C> {
     type Err = InvalidToken;
 
-    /// From 1 to 16 digits in base 16, those that are left out being zeros at the end.
+    /// Parses 1 to 16 hexadecimal digits; digits that are left out at the end are zeros.
+    ///
+    /// # Errors
+    /// [`InvalidToken`] if the text has another length, contains another character, or is not the number of a
+    /// tile.
     fn from_str(token: &str) -> Result<Self, InvalidToken> {
         let length = token.len();
         if !(1..=16).contains(&length) {
@@ -229,7 +241,7 @@ impl<C: Curve> FromStr for Key<C> {
     }
 }
 
-/// A number that is not a [`Key`].
+/// The error of [`Key::new`]: this number is not the key of any tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidKey(pub u64);
@@ -242,15 +254,15 @@ impl fmt::Display for InvalidKey {
 
 impl core::error::Error for InvalidKey {}
 
-/// Why a text is not a [`Key`].
+/// The error of parsing a [`Key`] from text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidToken {
-    /// Its length in bytes, which is not in 1 to 16.
+    /// The length in bytes; it is not 1 to 16.
     Length(usize),
-    /// A character that is not a digit in base 16.
+    /// The first character that is not a hexadecimal digit.
     Digit(char),
-    /// The number is not a key.
+    /// The number that was parsed is not a key.
     Key(InvalidKey),
 }
 
@@ -258,7 +270,7 @@ impl fmt::Display for InvalidToken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Length(length) => write!(f, "expected a token of 1 to 16 bytes, got {length}"),
-            Self::Digit(character) => write!(f, "{character:?} is not a digit in base 16"),
+            Self::Digit(character) => write!(f, "{character:?} is not a hexadecimal digit"),
             Self::Key(key) => key.fmt(f),
         }
     }

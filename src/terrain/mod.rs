@@ -1,37 +1,40 @@
-//! Terrain on the cube, for a renderer to call: which [`Tile`]s there are, what they are called, and which of them a picture needs.
+//! Terrain on the cube, for a renderer: the quadtree of [`Tile`]s, their addresses, the selection of the
+//! tiles that a picture needs, and their vertices in single precision.
 //!
-//! Lambers & Kolb, *Ellipsoidal cube maps for accurate rendering of planetary-scale terrain data* (Pacific Graphics 2012), for every
-//! projection, ellipsoid and shift.
+//! The methods are those of Lambers & Kolb, *Ellipsoidal cube maps for accurate rendering of planetary-scale
+//! terrain data* (Pacific Graphics 2012), for every projection, ellipsoid and shift.
 //!
-//! A face of the cube is a quadtree. Its [`Tile`]s are addressed by whole numbers, so that a renderer's tables need no coordinates:
-//!
-//! | | |
-//! |---|---|
-//! | [`Tile`] | face, level, column and row; parent and children, the places in it, its neighbours across edges and corners |
-//! | [`Key`] | a tile as one number, in [`Morton`]'s or [`Hilbert`]'s order, for a sorted table or a file's name |
-//!
-//! Each frame asks which tiles it needs:
+//! Each face of the cube is a quadtree. Its [`Tile`]s are addressed by whole numbers, so a renderer's tables
+//! need no coordinates:
 //!
 //! | | |
 //! |---|---|
-//! | [`Camera`] | the eye, the renderer's matrix, perspective or parallel, the pixels |
+//! | [`Tile`] | face, level, column, row; parent, children, points, neighbours across edges and corners |
+//! | [`Key`] | a tile as one number along [`Morton`]'s or [`Hilbert`]'s curve, for tables and file names |
+//!
+//! In each frame, a renderer selects the tiles it needs:
+//!
+//! | | |
+//! |---|---|
+//! | [`Camera`] | the eye, the matrix (perspective or parallel), the size of the picture in pixels |
 //! | [`Heights`] | the lowest and the highest terrain of a tile |
-//! | [`Enclosure`] | boxes and spheres that contain tiles with their terrain |
-//! | [`Horizon`] | what the planet itself hides |
-//! | [`Selection`] | the tiles a picture is drawn from, of every place that is seen one, as coarse as [`Detail`] allows |
+//! | [`Enclosure`] | oriented bounding boxes and bounding spheres of tiles with their terrain |
+//! | [`Horizon`] | horizon culling: what the planet itself hides |
+//! | [`Selection`] | the tiles to draw: one for each visible place, as coarse as [`Detail`] allows |
 //!
-//! And what it draws of them, in single precision, for a graphics card to whom the Earth is a grid of half a metre:
+//! A renderer then draws them in single precision, which on the Earth's surface has steps of half a metre:
 //!
 //! | | |
 //! |---|---|
-//! | [`Patches`], [`Vertices`] | the paper's way: once per tile the displacements from a bilinear patch, once per frame the patch's corners from the eye |
-//! | [`Base`] | the height that corners are lifted to, so that single precision has only what the ground differs from it |
-//! | [`Symmetry`] | one tile of up to sixteen is enough to know them all |
-//! | [`Flatness`] | how far tiles of a level are from flat: from which level on corners are enough, and how long skirts must be |
-//! | [`Series`], [`Split`] | two other ways: a Taylor series for each tile, and two numbers for one |
-//! | [`lean`] | what heights along a sphere's normal would do |
+//! | [`Patches`], [`Vertices`] | the paper's way: a bilinear patch relative to the eye, and displacements |
+//! | [`Base`] | the height to which corners are lifted; single precision holds only the difference |
+//! | [`Symmetry`] | derives up to sixteen tiles from one |
+//! | [`Flatness`] | how flat the tiles of a level are: where corners suffice, and how long skirts must be |
+//! | [`Series`], [`Split`] | two other ways: a Taylor series for each tile, and a double as two singles |
+//! | [`lean`] | the error of applying heights along a sphere's normal |
 //!
-//! From an eye to vertices:
+//! With [`Patches`], displacements are computed once per tile, and corners relative to the eye once per
+//! frame. This example goes from an eye to vertices:
 //!
 //! ```
 //! use terrella::cube::{Balanced, CubeMap};
@@ -42,7 +45,7 @@
 //! let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Balanced)?;
 //! let (enclosure, patches) = (Enclosure::new(map), Patches::new(map));
 //!
-//! // Once a frame: 2 km above Oslo, straight down, north up, 53° high.
+//! // Once per frame: from 2 km above Oslo straight down, north up, 53° high.
 //! let frame = LocalFrame::new(Ellipsoid::WGS84, Geodetic::new(LatLon::new(59.9139, 10.7522)?, 2_000.0)?);
 //! let eye = frame.origin_ecef();
 //! let row = |east, north, up| {
@@ -53,12 +56,14 @@
 //! let camera = Camera::new(eye, matrix, [1280.0, 1024.0])?;
 //! let sea = |_: Tile| Heights::default();
 //!
-//! let (mut o, mut n, mut vertices) = ([[0.0_f32; 65 * 65]; 3], [[0.0; 65 * 65]; 3], [[0.0; 65 * 65]; 3]);
+//! let grid = [[0.0_f32; 65 * 65]; 3];
+//! let (mut o, mut n, mut vertices) = (grid, grid, grid);
 //! let mut nearest = f32::INFINITY;
 //! for tile in Selection::new(&enclosure, camera, Detail::new(65, 1.5, 17)?, sea) {
-//!     // Once a tile: kept under its key until the tile is no longer wanted.
-//!     let patch = patches.fill(tile, Base::from(sea(tile)), 65, o.each_mut().map(|o| &mut o[..]), n.each_mut().map(|n| &mut n[..]))?;
-//!     // Once a frame: a graphics card does this to vertices that it has.
+//!     // Once per tile: keep the results under the tile's key while the tile is in use.
+//!     let (into_o, into_n) = (o.each_mut().map(|o| &mut o[..]), n.each_mut().map(|n| &mut n[..]));
+//!     let patch = patches.fill(tile, Base::from(sea(tile)), 65, into_o, into_n)?;
+//!     // Once per frame: a graphics card does this in its vertex shader.
 //!     let (heights, into) = ([0.0; 65 * 65], vertices.each_mut().map(|v| &mut v[..]));
 //!     let seen = patch.seen_from(eye);
 //!     seen.fill(65, o.each_ref().map(|o| &o[..]), n.each_ref().map(|n| &n[..]), &heights, into)?;
@@ -71,12 +76,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Vertices of [`Patches`] with a [`Base`] near the ground are within 0.2 mm of the truth up to 1 km from the
-//! eye and within 3·10⁻⁷ of the distance beyond, and a step of the eye of 1 mm is drawn within 0.25 mm up to
-//! 1 km, over a million random eyes, projections, shifts, named ellipsoids and grounds from −11 to 30 km with
-//! slopes of up to 45°; single precision by itself within 0.65 m and 5.7·10⁻⁴
-//! (`cargo test --release --test terrain -- --ignored --nocapture a_million_vertices`). Coarse tiles need displacements, fine ones do not: with most projections tiles of level 12 on the Earth are within 1 m of flat, of level 15
-//! within 1 cm, of level 17 within 1 mm ([`Patches::plain_level`] has the table).
+//! Accuracy: vertices of [`Patches`] with a [`Base`] near the ground are within 0.2 mm of the truth up to 1
+//! km from the eye, and within 3·10⁻⁷ of the distance beyond. A step of the eye of 1 mm is drawn within 0.25
+//! mm up to 1 km. These are the worst errors over a million random eyes, projections, shifts, named
+//! ellipsoids and grounds from −11 to 30 km with slopes of up to 45°; single precision without the patches is
+//! within 0.65 m and 5.7·10⁻⁴ (`cargo test --release --test terrain -- --ignored --nocapture
+//! a_million_vertices`).
+//!
+//! Coarse tiles need displacements, fine tiles do not: with most projections, tiles of level 12 on the Earth
+//! are within 1 m of flat, of level 15 within 1 cm, and of level 17 within 1 mm ([`Patches::plain_level`] has
+//! the table).
 
 mod base;
 mod bilinear;

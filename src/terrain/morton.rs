@@ -3,10 +3,12 @@ use super::key::sealed::Order;
 use crate::cube::Face;
 use crate::math::{gathered, spread};
 
-/// Morton's order: the bits of column and row in turn (Morton, IBM 1966), with this crate's faces and axes.
+/// Morton's order (z-order): the bits of column and row alternate (Morton, IBM 1966). It uses this crate's
+/// face numbers and axes.
 ///
-/// Cheaper than [`Hilbert`](super::Hilbert)'s, and the children of a tile are in the order of [`Tile::children`](super::Tile::children); but from one to the
-/// next it may be far.
+/// It is cheaper to compute than [`Hilbert`](super::Hilbert)'s curve, and it visits the children of a tile in
+/// the order of [`Tile::children`](super::Tile::children). Unlike on Hilbert's curve, two tiles with
+/// consecutive keys may be far apart.
 ///
 /// ```
 /// use terrella::cube::Face;
@@ -15,6 +17,8 @@ use crate::math::{gathered, spread};
 /// assert_eq!(Key::<Morton>::from(tile).bits() >> 54, 0b010_01_10_11_1);
 /// # Ok::<(), terrella::terrain::InvalidTile>(())
 /// ```
+#[doc(alias = "z-order")]
+#[doc(alias = "Z-order curve")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Morton;

@@ -1,47 +1,47 @@
 use super::{InvalidTile, Tile};
 use crate::cube::{Corner, Edge};
 
-/// What lies across an edge of a tile.
+/// The neighbour of a tile across an edge: from [`Tile::neighbour`].
 ///
-/// As [`Neighbour`](crate::cube::Neighbour) has it for faces: laid flat beside this tile and then turned
-/// counter-clockwise by `turns` quarter circles, the plane of this tile's (s, t) becomes that of the
-/// neighbour's.
+/// `turns` relates the axes of the two tiles, as in [`Neighbour`](crate::cube::Neighbour) for faces. Unfold
+/// the neighbour into the plane of this tile, with this tile's s to the right and t up. After `turns`
+/// counter-clockwise quarter turns of the plane, the neighbour's own s points to the right and its t up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Adjacent {
     /// The tile across the edge.
     pub tile: Tile,
-    /// The shared edge, as that tile calls it.
+    /// The shared edge, in the neighbour's own axes.
     pub edge: Edge,
-    /// Counter-clockwise quarter turns, 0 to 3; 0 on the same face.
+    /// Counter-clockwise quarter turns, 0 to 3; 0 if both tiles are on one face.
     pub turns: u8,
 }
 
-/// What lies across a corner of a tile.
+/// The neighbour of a tile across a corner: from [`Tile::diagonal`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Diagonal {
-    /// The tile that has this corner, and no edge, in common.
+    /// The tile that shares this corner, but no edge.
     pub tile: Tile,
-    /// The shared corner, as that tile calls it.
+    /// The shared corner, in the neighbour's own axes.
     pub corner: Corner,
-    /// Counter-clockwise quarter turns, 0 to 3; 0 on the same face.
+    /// Counter-clockwise quarter turns, as in [`Adjacent`], 0 to 3; 0 if both tiles are on one face.
     pub turns: u8,
 }
 
-/// The tiles of a level that meet in a point, each with the corner that it has there: counter-clockwise as
-/// seen from outside.
+/// The tiles of one level that meet in a point, each with the name of its corner at that point. They are in
+/// counter-clockwise order, seen from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Around {
-    /// In a corner of the cube.
+    /// Three tiles, at a corner of the cube.
     Three([(Tile, Corner); 3]),
-    /// Anywhere else.
+    /// Four tiles, at any other point.
     Four([(Tile, Corner); 4]),
 }
 
 impl Around {
-    /// The tiles, three or four.
+    /// Returns the three or four tiles as a slice.
     #[must_use]
     pub const fn as_slice(&self) -> &[(Tile, Corner)] {
         match self {
@@ -52,15 +52,17 @@ impl Around {
 }
 
 impl Tile {
-    /// What lies across an edge, at the same level.
+    /// Returns the neighbour across an edge, at the same level.
     ///
     /// ```
     /// use terrella::cube::{Edge, Face};
     /// use terrella::terrain::Tile;
     /// let beyond = Tile::new(Face::Right, 3, 2, 7)?.neighbour(Edge::Up);
-    /// assert_eq!((beyond.tile, beyond.edge, beyond.turns), (Tile::new(Face::Top, 3, 7, 2)?, Edge::Right, 1));
+    /// assert_eq!(beyond.tile, Tile::new(Face::Top, 3, 7, 2)?);
+    /// assert_eq!((beyond.edge, beyond.turns), (Edge::Right, 1));
     /// # Ok::<(), terrella::terrain::InvalidTile>(())
     /// ```
+    #[doc(alias = "adjacent tile")]
     #[must_use]
     #[inline]
     pub const fn neighbour(self, edge: Edge) -> Adjacent {
@@ -76,8 +78,8 @@ impl Tile {
         Adjacent { tile, edge, turns }
     }
 
-    /// What lies across a corner, at the same level; nothing in a corner of the cube, where this tile and its
-    /// neighbours across the two edges are all there is.
+    /// Returns the neighbour across a corner, at the same level. Returns `None` at a corner of the cube:
+    /// there only this tile and its two edge neighbours meet.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};
@@ -103,7 +105,7 @@ impl Tile {
             return None;
         }
         let (first, second) = corner.edges();
-        // Of the two edges, those of even number are crossed by a change of i.
+        // A change of i crosses the edges of even number.
         let edge = if beside == (first as u8 % 2 == 0) {
             first
         } else {
@@ -114,15 +116,19 @@ impl Tile {
         Some(Diagonal { tile, corner, turns })
     }
 
-    /// What lies across a corner at any level: the tile that has this corner, and no edge, in common with
-    /// this one. Of a finer level there is one wherever there is a [`diagonal`](Self::diagonal); of a coarser
-    /// one often none, since the tile that lies there is also across an edge, or holds this tile.
+    /// Returns the tile of any level that shares this corner with this tile, but no edge.
+    ///
+    /// At a finer level it exists wherever [`diagonal`](Self::diagonal) returns a tile. At a coarser level it
+    /// often does not exist: the coarse tile across the corner may also lie across an edge, or contain this
+    /// tile. Then the result is `None`.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};
     /// use terrella::terrain::Tile;
     /// let tile = Tile::new(Face::Front, 3, 3, 3)?;
-    /// let across = |level| tile.diagonal_at(Corner::UpRight, level).map(|beyond| beyond.map(|beyond| beyond.tile));
+    /// let across = |level| {
+    ///     tile.diagonal_at(Corner::UpRight, level).map(|beyond| beyond.map(|beyond| beyond.tile))
+    /// };
     /// assert_eq!(across(5)?, Some(Tile::new(Face::Front, 5, 16, 16)?));
     /// assert_eq!(across(1)?, Some(Tile::new(Face::Front, 1, 1, 1)?));
     /// assert_eq!(across(0)?, None);
@@ -130,7 +136,7 @@ impl Tile {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidTile::Level`] for a level above 30.
+    /// [`InvalidTile::Level`] if the level is above 30.
     pub const fn diagonal_at(self, corner: Corner, level: u8) -> Result<Option<Diagonal>, InvalidTile> {
         if level > Self::MAX_LEVEL {
             return Err(InvalidTile::Level(level));
@@ -165,7 +171,8 @@ impl Tile {
         Ok(Some(Diagonal { tile, ..beyond }))
     }
 
-    /// The tiles that meet in a corner, this one first: three in a corner of the cube, four elsewhere.
+    /// Returns the tiles of this level that meet in a corner, this tile first: three at a corner of the cube,
+    /// four elsewhere.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};
@@ -192,9 +199,9 @@ impl Tile {
         }
     }
 
-    /// The tiles of a coarser level about one corner of this tile's ancestor of that level, which is first:
-    /// the corner that is nearest to this tile. S2's `AppendVertexNeighbors`. None for a level that is not
-    /// coarser.
+    /// Returns the tiles of a coarser level that meet in one corner of this tile's ancestor: the corner
+    /// nearest to this tile. The ancestor comes first. This is S2's `AppendVertexNeighbors`. Returns `None`
+    /// if `level` is not coarser than this tile's level.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face};
@@ -204,9 +211,10 @@ impl Tile {
     /// assert_eq!(tile.around_nearest(5), None);
     /// # Ok::<(), terrella::terrain::InvalidTile>(())
     /// ```
+    #[doc(alias = "AppendVertexNeighbors")]
     #[must_use]
     pub const fn around_nearest(self, level: u8) -> Option<Around> {
-        // The quarter of the ancestor that this tile is in has the corner.
+        // The corner is that of the quarter of the ancestor that contains this tile.
         let Some(Self { i, j, .. }) = self.ancestor(level.saturating_add(1)) else {
             return None;
         };
@@ -222,9 +230,13 @@ impl Tile {
         Some(ancestor.around(corner))
     }
 
-    /// The tiles of any level that touch an edge from beyond: one of a coarser level, or none if that one
-    /// holds this tile too; one of the same level; 2ⁿ of the level that is finer by n, from low to high x or
-    /// y of this tile.
+    /// Returns the tiles of any level that touch an edge of this tile from outside, for example to find
+    /// T-junctions.
+    ///
+    /// * At a coarser level: one tile, or none if the tile of that level across the edge also contains this
+    ///   tile.
+    /// * At the same level: one tile.
+    /// * At a level finer by n: 2ⁿ tiles, in the order of increasing x or y of this tile.
     ///
     /// ```
     /// use terrella::cube::{Edge, Face};
@@ -239,7 +251,8 @@ impl Tile {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidTile::Level`] for a level above 30.
+    /// [`InvalidTile::Level`] if the level is above 30.
+    #[doc(alias = "T-junction")]
     pub const fn neighbours(self, edge: Edge, level: u8) -> Result<Along, InvalidTile> {
         if level > Self::MAX_LEVEL {
             return Err(InvalidTile::Level(level));
@@ -263,8 +276,9 @@ impl Tile {
                 (Self::within(tile.face, level, i, j), last + 1)
             }
         };
-        // A step along y becomes one along −x by one turn, along −y by two; one along x becomes one along −x
-        // by two, along −y by three.
+        // The direction of a step along the edge, on the neighbour's face: a step along y becomes one along
+        // −x after one turn, and along −y after two; a step along x becomes one along −x after two turns, and
+        // along −y after three.
         let sideways = edge as u8 % 2 == 1;
         let backward = if sideways { turns >= 2 } else { turns == 1 || turns == 2 };
         Ok(Along {
@@ -277,13 +291,14 @@ impl Tile {
         })
     }
 
-    /// The largest column and row.
+    /// The largest column and row of this level.
     #[inline(always)]
     pub(super) const fn last(self) -> u32 {
         (1 << self.level) - 1
     }
 
-    /// The tile of a column and row up to one beyond an edge, as its own face has it, and the turns to there.
+    /// The tile of a column and row that may be one beyond an edge, in the axes of its own face, and the
+    /// quarter turns from this face to that one.
     #[inline(always)]
     const fn beyond(self, i: u32, j: u32, edge: Edge) -> (Self, u8) {
         let last = self.last();
@@ -302,7 +317,7 @@ impl Tile {
     }
 }
 
-/// The tiles along the far side of an edge: see [`Tile::neighbours`].
+/// An iterator over the tiles along the far side of an edge: from [`Tile::neighbours`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
@@ -316,13 +331,13 @@ pub struct Along {
 }
 
 impl Along {
-    /// The edge of theirs that they have on the line.
+    /// Returns the edge of these tiles that touches this tile's edge, in their own axes.
     #[must_use]
     pub const fn edge(&self) -> Edge {
         self.edge
     }
 
-    /// Counter-clockwise quarter turns to their face, 0 to 3.
+    /// Returns the counter-clockwise quarter turns to their face, 0 to 3, as in [`Adjacent`].
     #[must_use]
     pub const fn turns(&self) -> u8 {
         self.turns

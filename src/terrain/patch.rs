@@ -8,19 +8,22 @@ use crate::latitude::{Turn, normal, with_correction};
 use crate::simd::{CHUNK, Kernel, Sink, front, store, sweep};
 use crate::{Direction, Ecef, Ellipsoid, Real, Shifted};
 
-/// The most samples along an edge of a patch.
+/// The largest number of samples along an edge of a patch.
 const MOST: u32 = 4097;
 
-/// Tiles as patches of an ellipsoid, for a renderer that works in single precision (Lambers & Kolb 2012, section 4).
+/// Tiles as patches of an ellipsoid, for a renderer that works in single precision (Lambers & Kolb 2012,
+/// section 4).
 ///
-/// Once per tile: its corners in double precision, lifted to a [`Base`] near the ground, and for each sample
-/// of a grid the displacement of the base from the bilinear patch between the corners, and the ellipsoid's
-/// normal, in single precision ([`fill`](Self::fill)). Once per frame: the corners less the camera,
-/// subtracted in double and rounded to single precision ([`Patch::seen_from`]); each vertex is then P′ + o +
-/// h·n in single precision, h being the height above the base ([`Vertices`]).
+/// Once per tile, [`fill`](Self::fill) computes in double precision the tile's corners, lifted to a [`Base`]
+/// near the ground, and in single precision, for each sample of a grid, the ellipsoid's normal n and the
+/// displacement o of the base from the bilinear patch between the corners. Once per frame,
+/// [`Patch::seen_from`] subtracts the camera from the corners in double precision and rounds the result to
+/// single precision. Each vertex is then P′ + o + h·n in single precision, where P′ is interpolated between
+/// the corners and h is the height above the base ([`Vertices`]).
 ///
-/// The paper has its corners on the ellipsoid, and h is then the height above that: on a mountain of 8 km
-/// single precision adds kilometres to kilometres, and is off by millimetres however near the eye is.
+/// In the paper the corners lie on the ellipsoid, and h is the height above it. On a mountain of 8 km, single
+/// precision then adds kilometres to kilometres, and the result is off by millimetres however near the eye
+/// is. The base avoids that.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -33,13 +36,15 @@ const MOST: u32 = 4097;
 /// let (mut ox, mut oy, mut oz) = ([0.0; 81], [0.0; 81], [0.0; 81]);
 /// let (mut nx, mut ny, mut nz) = ([0.0; 81], [0.0; 81], [0.0; 81]);
 /// patches.fill(tile, sea, 9, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])?;
-/// // In the middle of this tile of 36 km the ground bulges by 42 m, and by 128 m along itself: the grid's lines bend.
+/// // In the middle of this tile, 36 km wide, the displacement is 42 m upward, and 128 m along the ground
+/// // because the grid lines bend.
 /// assert!((ox[40] - 42.0).abs() < 1.0 && (nx[40] - 0.997).abs() < 0.002);
 /// assert!((oy[40].hypot(oz[40]) - 128.0).abs() < 2.0);
-/// // In the corners there is nothing left.
+/// // At the corners the displacement is zero.
 /// assert_eq!((ox[0], oy[8], oz[80]), (0.0, 0.0, 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "displacement mapping")]
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Patches<P> {
@@ -47,20 +52,20 @@ pub struct Patches<P> {
 }
 
 impl<P: CubeProjection> Patches<P> {
-    /// Of the tiles of a cube map.
+    /// Creates the patches of a cube map's tiles.
     #[must_use]
     pub const fn new(map: CubeMap<f64, P>) -> Self {
         Self { map }
     }
 
-    /// The cube map.
+    /// Returns the cube map.
     #[must_use]
     pub const fn map(&self) -> CubeMap<f64, P> {
         self.map
     }
 
-    /// The corners of a tile, lifted to a base: all that is needed of it from the level of
-    /// [`plain_level`](Self::plain_level) on.
+    /// Returns the corners of a tile, lifted to a base. From the level of [`plain_level`](Self::plain_level)
+    /// on, a renderer needs nothing else of a tile.
     #[must_use]
     pub fn of(&self, tile: Tile, base: Base) -> Patch {
         let mut heights = base.corners().into_iter();
@@ -76,17 +81,22 @@ impl<P: CubeProjection> Patches<P> {
         }
     }
 
-    /// The corners of a tile, lifted to a base, and for each of `samples` × `samples` places, in rows from
-    /// below, edges included: the displacement of the base from the bilinear patch between the corners in
-    /// metres and the ellipsoid's outward normal, both in Earth axes, each into three slices for x, y and z.
+    /// Computes the displacements and normals of a tile's samples, and returns the tile's corners, lifted to
+    /// a base.
     ///
-    /// Displacements are rounded from values within 4 nm (on the Earth), normals from values within 4·10⁻¹⁶.
-    /// Along an edge that two tiles of a level share, both have the same bits, on whichever faces they are,
-    /// if their bases have the same heights in its two ends: what lies on the edge of a face is computed on
-    /// the face of the smallest number.
+    /// The samples are the `samples` × `samples` nodes of a grid over the tile, its edges included, row by
+    /// row from below. A displacement is the vector from the bilinear patch between the corners to the base,
+    /// in metres; a normal is the ellipsoid's outward unit normal. Both are along Earth axes, each in three
+    /// slices for x, y and z.
+    ///
+    /// Before they are rounded to single precision, displacements are within 4 nm (on the Earth) and normals
+    /// within 4·10⁻¹⁶. Two tiles of one level that share an edge get identical bits along it, also across
+    /// faces, if their bases have the same heights at both ends of the edge: samples on the edge of a face
+    /// are computed on the face of the smallest number.
     ///
     /// # Errors
-    /// [`InvalidPatch`] for less than 2 samples or more than 4097, and for a slice that is not of `samples`² elements; nothing is written then.
+    /// [`InvalidPatch`] if `samples` is not 2 to 4097, or if a slice does not have `samples`² elements.
+    /// Nothing is written then.
     pub fn fill(
         &self,
         tile: Tile,
@@ -116,7 +126,8 @@ impl<P: CubeProjection> Patches<P> {
         Ok(patch)
     }
 
-    /// Samples on the edges of a face, from the face that has them.
+    /// Overwrites the samples that lie on the edge of a face with those computed on the neighbouring face, if
+    /// that face has the smaller number.
     fn mend(&self, tile: Tile, samples: u32, lifted: Lifted, columns: &mut [&mut [f32]; 6]) {
         let last = samples - 1;
         for edge in Edge::ALL {
@@ -142,7 +153,7 @@ impl<P: CubeProjection> Patches<P> {
         }
     }
 
-    /// The ground in metres, and its normal.
+    /// The point on the ellipsoid, in metres, and the ellipsoid's normal there.
     #[inline(always)]
     pub(super) fn ground(&self, point: FacePoint<f64>) -> [[f64; 3]; 2] {
         let shifted = self.map.shifted();
@@ -151,7 +162,7 @@ impl<P: CubeProjection> Patches<P> {
     }
 }
 
-/// A tile's corners: from [`Patches::of`] and [`Patches::fill`].
+/// The corners of a tile and the normals there: from [`Patches::of`] and [`Patches::fill`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Patch {
@@ -160,20 +171,23 @@ pub struct Patch {
 }
 
 impl Patch {
-    /// The corners at their heights in metres in Earth axes, counter-clockwise from the one of largest x and
-    /// y, as [`Corner::ALL`].
+    /// Returns the corners at the heights of the base, in metres along Earth axes, in the order of
+    /// [`Corner::ALL`]: counter-clockwise from the corner of largest x and y.
     #[must_use]
     pub fn corners(&self) -> [Ecef<f64>; 4] {
         self.corners.map(|[x, y, z]| Ecef::within(x, y, z))
     }
 
-    /// The ellipsoid's outward normals in the corners, in Earth axes.
+    /// Returns the ellipsoid's outward unit normals at the corners, along Earth axes.
     #[must_use]
     pub const fn normals(&self) -> [[f32; 3]; 4] {
         self.normals
     }
 
-    /// The corners from a camera: subtracted in double precision, then rounded.
+    /// Returns the corners relative to a camera (relative-to-eye): subtracted in double precision, then
+    /// rounded to single precision.
+    #[doc(alias = "relative-to-eye")]
+    #[doc(alias = "RTE")]
     #[must_use]
     #[inline]
     pub fn seen_from(&self, camera: Ecef<f64>) -> Vertices {
@@ -185,18 +199,18 @@ impl Patch {
     }
 }
 
-/// In single precision; a zero is positive, since two tiles may have zeros of different signs.
+/// Rounds to single precision. A zero becomes positive, since two tiles may have zeros of different signs.
 #[inline(always)]
 pub(super) fn narrow(value: f64) -> f32 {
     value as f32 + 0.0
 }
 
-/// A node of a tile's grid, as the face of the smallest number names it.
+/// A node of a tile's grid as a point of the face of smallest number that contains it.
 fn shared(tile: Tile, [m, n]: [u32; 2], count: u32) -> FacePoint<f64> {
     let last = tile.last();
     let mut first = (tile, [m, n]);
     for edge in Edge::ALL {
-        // Laid flat beside this tile, the place has these coordinates in the next one.
+        // The coordinates of the node in the neighbouring tile, unfolded into the plane of this one.
         let (on_edge, mut place) = match edge {
             Edge::Right => (tile.i() == last && m == count, [0, n]),
             Edge::Up => (tile.j() == last && n == count, [m, 0]),
@@ -214,7 +228,7 @@ fn shared(tile: Tile, [m, n]: [u32; 2], count: u32) -> FacePoint<f64> {
     first.0.node(first.1, count)
 }
 
-/// The corners of a tile that were lifted to a base, and the last column of a grid.
+/// The corners of a tile, lifted to a base, and the last column of a grid.
 #[derive(Clone, Copy)]
 struct Lifted {
     corners: [[f64; 3]; 4],
@@ -223,7 +237,7 @@ struct Lifted {
 }
 
 impl Lifted {
-    /// Displacement and normal of a place, from the ground there and its normal.
+    /// The displacement and normal of a node, from the point on the ellipsoid and the normal there.
     #[inline(always)]
     fn sample(&self, [foot, normal]: [[f64; 3]; 2], place: [f64; 2]) -> [f64; 6] {
         let weights = weights(place, self.last);
@@ -234,7 +248,7 @@ impl Lifted {
     }
 }
 
-/// The samples of a tile by a known projection, a part at a time.
+/// The computation of a tile's samples for a known projection, one part at a time.
 struct Fill<'a> {
     shifted: Shifted<f64>,
     tile: Tile,
@@ -273,7 +287,7 @@ impl ProjectionTask for Fill<'_> {
     }
 }
 
-/// Column and row to the direction.
+/// The kernel from column and row to the direction.
 #[derive(Clone, Copy)]
 struct ToDirection<P> {
     projection: P,
@@ -283,7 +297,7 @@ struct ToDirection<P> {
 }
 
 impl<P> ToDirection<P> {
-    /// Whole numbers below 2⁵³: x is one division, as [`Tile::node`] has it.
+    /// All whole numbers here are below 2⁵³. A coordinate is one division, as in [`Tile::node`].
     fn new(projection: P, tile: Tile, count: u32) -> Self {
         let across = f64::from(count) * f64::from(1_u32 << tile.level());
         let low = [tile.i(), tile.j()].map(|index| 2.0 * f64::from(index) * f64::from(count) - across);
@@ -306,7 +320,7 @@ impl<P: CubeProjection> Kernel<f64, 2, 3> for ToDirection<P> {
     }
 }
 
-/// That, and the direction, to displacement and normal.
+/// The kernel from column, row and direction to displacement and normal.
 struct ToSample<C> {
     ellipsoid: Ellipsoid<f64>,
     turn: C,
@@ -322,7 +336,7 @@ impl<C: Turn<f64>> Kernel<f64, 5, 6> for ToSample<C> {
     }
 }
 
-/// Results in single precision.
+/// A sink that rounds the results to single precision.
 struct Narrow<'a>([&'a mut [f32]; 6]);
 
 impl Sink<f64, 6> for Narrow<'_> {
@@ -338,13 +352,13 @@ impl Sink<f64, 6> for Narrow<'_> {
     }
 }
 
-/// The columns and rows of a grid, a part at a time.
+/// An iterator over the columns and rows of a grid, one part at a time.
 pub(super) struct Places {
     samples: u32,
     next: [u32; 2],
 }
 
-/// A part of them, as numbers.
+/// One part of the columns and rows, as scalars.
 pub(super) struct Part<T> {
     places: [[T; CHUNK]; 2],
     length: usize,
@@ -388,7 +402,8 @@ impl Places {
     }
 }
 
-/// Whether a grid of so many samples is one, and all slices have as many elements as it has places.
+/// Refuses a number of samples that is not 2 to [`MOST`], and slices that do not have one element for each
+/// node of the grid.
 pub(super) fn samples_and_length(samples: u32, lengths: &[usize]) -> Result<(), InvalidPatch> {
     if !(2..=MOST).contains(&samples) {
         return Err(InvalidPatch::Samples(samples));
@@ -400,17 +415,17 @@ pub(super) fn samples_and_length(samples: u32, lengths: &[usize]) -> Result<(), 
     }
 }
 
-/// Why a patch was refused; nothing was written.
+/// The error of filling slices with the samples of a patch. Nothing was written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidPatch {
-    /// The number of samples along an edge is not in 2 to 4097.
+    /// The number of samples along an edge; it is not 2 to 4097.
     Samples(u32),
-    /// A slice has not as many elements as there are samples.
+    /// A slice does not have one element for each sample.
     Length {
-        /// The square of the number along an edge.
+        /// The square of the number of samples along an edge.
         expected: usize,
-        /// The length of the first slice that is different.
+        /// The length of the first slice that differs.
         length: usize,
     },
 }
@@ -420,7 +435,7 @@ impl fmt::Display for InvalidPatch {
         match self {
             Self::Samples(samples) => write!(f, "expected 2 to {MOST} samples along an edge, got {samples}"),
             Self::Length { expected, length } => {
-                write!(f, "expected slices of {expected} elements, got one of {length}")
+                write!(f, "expected slices of {expected} elements, got a slice of {length}")
             }
         }
     }

@@ -2,24 +2,25 @@ use super::{Hilbert, InvalidTile, Key, Tile};
 use crate::cube::{Edge, Face, InvalidFace, InvalidFacePoint, InvalidNumbered, Numbering};
 use crate::{Direction, InvalidDirection, Real};
 
-/// Cells of Google's S2, as S2 itself chooses them.
+/// The cells of Google's S2, chosen as S2 itself chooses them.
 ///
-/// A tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube is S2's cell of the same key, and any place
-/// inside of it is in both. Of a place on the line between cells, or so near to it that rounding decides,
-/// [`Tile::containing`] takes the tile of larger x or y by the axes of this crate, and S2 the cell of larger
-/// s or t by its own, after its own rounding: these functions take S2's.
+/// A tile of the [`S2Quadratic`](crate::cube::S2Quadratic) cube is the S2 cell with the same key, and a point
+/// inside one is inside the other. The two libraries differ only for a point on the line between two cells,
+/// or so near to it that rounding decides: [`Tile::containing`] takes the tile of larger x or y along this
+/// crate's axes; S2 takes the cell of larger s or t along its own axes, after its own rounding. The functions
+/// of this block return S2's choice.
 impl Key<Hilbert> {
-    /// S2's leaf cell of a direction: the number of C++ `S2CellId(point)` bit for bit, of level 30.
-    /// Its cell of a coarser level is the [`ancestor`](Self::ancestor).
+    /// Returns S2's leaf cell (level 30) of a direction: the number of C++ `S2CellId(point)`, bit for bit.
+    /// [`ancestor`](Self::ancestor) gives the cell of a coarser level.
     ///
-    /// The face is that of the largest component, and of equal ones that of z before y before x; then come
-    /// S2's own divisions and square roots in double precision (`s2coords.h`). The ports of S2 to Go and Rust
-    /// choose x before y before z where components are equal: there, on the twelve edges of the cube, they
-    /// differ from S2 in C++ and from this function.
+    /// The face is that of the component with the largest magnitude; of equal components S2 prefers z to y
+    /// and y to x. Then follow S2's own divisions and square roots in double precision (`s2coords.h`). The
+    /// ports of S2 to Go and Rust prefer x to y and y to z where components are equal: on the twelve edges of
+    /// the cube they differ from S2 in C++ and from this function.
     ///
-    /// S2's `S2CellId(S2LatLng)` goes through radians, whose sines and cosines are up to 2·10⁻¹⁶ from those
-    /// of [`LatLon::to_direction`](crate::LatLon::to_direction), which takes degrees: of a place within 2 nm
-    /// of a line between cells the two may be different cells.
+    /// S2's `S2CellId(S2LatLng)` computes sines and cosines from radians. They differ by up to 2·10⁻¹⁶ from
+    /// those of [`LatLon::to_direction`](crate::LatLon::to_direction), which computes from degrees: for a
+    /// place within 2 nm of a line between cells, the two functions may return different cells.
     ///
     /// ```
     /// use terrella::terrain::{Hilbert, Key};
@@ -30,14 +31,17 @@ impl Key<Hilbert> {
     /// assert_eq!(token(90.0, 0.0)?.as_deref(), Some("500001")); // where four cells meet
     /// # Ok::<(), terrella::InvalidLatLon<f64>>(())
     /// ```
+    #[doc(alias = "S2CellId")]
+    #[doc(alias = "S2LatLng")]
+    #[doc(alias = "S2Point")]
     #[must_use]
     #[inline]
     pub fn s2_leaf(direction: Direction<f64>) -> Self {
         leaf_of(direction.to_array())
     }
 
-    /// S2's leaf cell of a vector of any length, which S2 does not normalise: see [`s2_leaf`](Self::s2_leaf).
-    /// A vector in single precision goes here too, with its components as they are.
+    /// Returns S2's leaf cell of a vector of any length, which S2 does not normalise: see
+    /// [`s2_leaf`](Self::s2_leaf). Convert the components of a vector in single precision to `f64` unchanged.
     ///
     /// ```
     /// use terrella::terrain::Key;
@@ -49,7 +53,7 @@ impl Key<Hilbert> {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidDirection`] if the vector is zero or a component is infinite or NaN.
+    /// [`InvalidDirection`] if the vector is zero, or if a component is infinite or NaN.
     #[inline]
     pub fn s2_leaf_of([x, y, z]: [f64; 3]) -> Result<Self, InvalidDirection<f64>> {
         let zero = (x == 0.0) & (y == 0.0) & (z == 0.0);
@@ -59,8 +63,8 @@ impl Key<Hilbert> {
         Ok(leaf_of([x, y, z]))
     }
 
-    /// S2's leaf cell of its cell-space coordinates (s, t) ∈ [0, 1]² on one of its faces; a coordinate of 1
-    /// is in the last cell.
+    /// Returns S2's leaf cell of cell-space coordinates (s, t) ∈ [0, 1]² on one of S2's faces, 0 to 5. A
+    /// coordinate of exactly 1 belongs to the last cell.
     ///
     /// ```
     /// use terrella::terrain::Key;
@@ -70,7 +74,7 @@ impl Key<Hilbert> {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidNumbered`] for a face above 5, or a coordinate outside [0, 1] or NaN.
+    /// [`InvalidNumbered`] if the face is above 5, or if a coordinate is outside [0, 1] or NaN.
     #[inline]
     pub fn s2_leaf_at(face: u8, [s, t]: [f64; 2]) -> Result<Self, InvalidNumbered<f64>> {
         let face = Numbering::S2.face(face).map_err(InvalidNumbered::Face)?;
@@ -81,8 +85,8 @@ impl Key<Hilbert> {
         Ok(leaf(face, [s, t]))
     }
 
-    /// The cells across the four edges, of the same level, in S2's order (`GetEdgeNeighbors`): below, right,
-    /// above and left by S2's axes.
+    /// Returns the four cells of the same level that share an edge with this one, in the order of S2's
+    /// `GetEdgeNeighbors`: below, right, above and left along S2's axes.
     ///
     /// ```
     /// use terrella::terrain::Key;
@@ -90,6 +94,7 @@ impl Key<Hilbert> {
     /// assert_eq!(face.s2_edge_neighbours().map(|key| key.to_string()), ["b", "7", "5", "1"]);
     /// # Ok::<(), terrella::terrain::InvalidToken>(())
     /// ```
+    #[doc(alias = "GetEdgeNeighbors")]
     #[must_use]
     pub fn s2_edge_neighbours(self) -> [Self; 4] {
         let tile = Tile::from(self);
@@ -101,13 +106,13 @@ impl Key<Hilbert> {
     }
 }
 
-/// The leaf of a vector that is not zero, as `S2::XYZtoFaceUV` and `S2::UVtoST` have it.
+/// The leaf of a vector that is not zero, computed as in `S2::XYZtoFaceUV` and `S2::UVtoST`.
 fn leaf_of([x, y, z]: [f64; 3]) -> Key<Hilbert> {
     let [a, b, c] = [x, y, z].map(f64::abs);
     let (face, uv) = match (a > b && a > c, b > c) {
         (true, _) if x < 0.0 => (Face::Back, [z / x, y / x]),
         (true, _) => (Face::Front, [y / x, z / x]),
-        // Were a larger than b, it would be larger than c too.
+        // Here a ≤ b: if a were larger than b > c, the first arm would have matched.
         (_, true) if y < 0.0 => (Face::Left, [z / y, -x / y]),
         (_, true) => (Face::Right, [-x / y, z / y]),
         _ if z < 0.0 => (Face::Bottom, [-y / z, -x / z]),
@@ -116,13 +121,13 @@ fn leaf_of([x, y, z]: [f64; 3]) -> Key<Hilbert> {
     leaf(face, uv.map(quadratic))
 }
 
-/// S2's quadratic transformation, with its rounding, which [`S2Quadratic`](crate::cube::S2Quadratic) betters.
+/// S2's quadratic transformation, with S2's rounding ([`S2Quadratic`](crate::cube::S2Quadratic) rounds less).
 fn quadratic(u: f64) -> f64 {
     let root = 0.5 * Real::sqrt(1.0 + 3.0 * u.abs());
     if u >= 0.0 { root } else { 1.0 - root }
 }
 
-/// The leaf of (s, t) of S2's on a face (`S2::STtoIJ`).
+/// The leaf of S2's (s, t) on a face (`S2::STtoIJ`).
 fn leaf(face: Face, st: [f64; 2]) -> Key<Hilbert> {
     const COUNT: u32 = 1 << Tile::MAX_LEVEL;
     let [i, j] = st.map(|s| ((s * f64::from(COUNT)) as u32).min(COUNT - 1));
@@ -130,8 +135,9 @@ fn leaf(face: Face, st: [f64; 2]) -> Key<Hilbert> {
 }
 
 impl Tile {
-    /// The face's number, the column and the row by another's numbering and axes: columns to the right of its
-    /// axes and rows along its second axis, which is downward in [`OpenGl`](Numbering::OpenGl).
+    /// Returns the face number, column and row of this tile in another convention of faces and axes. Columns
+    /// count along that convention's first axis, and rows along its second axis, which points down in
+    /// [`OpenGl`](Numbering::OpenGl).
     ///
     /// ```
     /// use terrella::cube::{Face, Numbering};
@@ -149,11 +155,12 @@ impl Tile {
         (numbering.number(self.face), i, j)
     }
 
-    /// The tile of a face's number, a level, a column and a row by another's numbering and axes.
+    /// Creates the tile of a face number, level, column and row that are given in another convention of faces
+    /// and axes: the inverse of [`to_numbering`](Self::to_numbering).
     ///
     /// # Errors
-    /// [`InvalidNumberedTile`] for a face above 5, a level above 30, or a column or row that the level does
-    /// not have.
+    /// [`InvalidNumberedTile`] if the face is above 5, the level is above 30, or the column or row is not in
+    /// 0 to 2^level − 1.
     #[inline]
     pub fn from_numbering(
         numbering: Numbering,
@@ -167,7 +174,7 @@ impl Tile {
         Ok(Self::of_numbering(numbering, face, level, [i, j]))
     }
 
-    /// For indices known to be in range.
+    /// The same for a level, column and row that are known to be in range.
     #[inline(always)]
     const fn of_numbering(numbering: Numbering, face: Face, level: u8, square: [u32; 2]) -> Self {
         let root = Self::within(face, level, 0, 0);
@@ -176,13 +183,13 @@ impl Tile {
     }
 }
 
-/// Why [`Tile::from_numbering`] refused.
+/// The error of [`Tile::from_numbering`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidNumberedTile {
-    /// No face has the number.
+    /// The face number is above 5.
     Face(InvalidFace),
-    /// The level is above 30, or has no such column or row.
+    /// The level is above 30, or the column or row is not in 0 to 2^level − 1.
     Tile(InvalidTile),
 }
 

@@ -9,7 +9,7 @@ use crate::distortion::texture::anisotropic;
 use crate::math::{log2, min};
 use crate::{Ecef, Real};
 
-/// How finely a picture wants its terrain.
+/// The level of detail that a picture needs: samples of a tile per pixel, and the finest level.
 ///
 /// ```
 /// use terrella::terrain::{Detail, InvalidDetail};
@@ -18,6 +18,10 @@ use crate::{Ecef, Real};
 /// assert_eq!(Detail::new(512, -1.0, 17), Err(InvalidDetail::Ratio(-1.0)));
 /// # Ok::<(), InvalidDetail<f64>>(())
 /// ```
+#[doc(alias = "LOD")]
+#[doc(alias = "level of detail")]
+#[doc(alias = "SSE")]
+#[doc(alias = "screen-space error")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Detail<T> {
@@ -28,11 +32,14 @@ pub struct Detail<T> {
 }
 
 impl<T: Real> Detail<T> {
-    /// From the samples along a tile's side, the pixels that may be drawn from each of them (1.5 in the paper), and the finest level that
-    /// there is.
+    /// Creates a level of detail.
+    ///
+    /// * `samples`: the number of samples along a side of a tile, at least 1.
+    /// * `ratio`: how many pixels of the picture may show one sample (1.5 in the paper).
+    /// * `finest`: the finest level of which there are data, 0 to 30.
     ///
     /// # Errors
-    /// [`InvalidDetail`] for no samples, a ratio that is not positive and finite, a level above 30.
+    /// [`InvalidDetail`] if `samples` is 0, `ratio` is not positive and finite, or `finest` is above 30.
     pub fn new(samples: u32, ratio: T, finest: u8) -> Result<Self, InvalidDetail<T>> {
         if samples == 0 {
             return Err(InvalidDetail::Samples);
@@ -51,19 +58,24 @@ impl<T: Real> Detail<T> {
         })
     }
 
-    /// For an anisotropic filter of at most so many samples: the level is the one that such a filter reads.
+    /// Selects tiles for an anisotropic texture filter of at most `most` samples: the level of a tile becomes
+    /// the level that such a filter reads.
     ///
-    /// A tile is split while, in one of nine places of it at the middle of its heights, the filter would read
+    /// A tile is split if, at one of nine points of it at the middle of its heights, the filter would read
     /// from a level more than ½ log₂ `ratio` below the tile's (λ of Dimitrijević, Lambers & Rančić 2016, 3.2
-    /// and 3.3; see [`anisotropic`]), by the derivative of the picture there, whatever its sign: ground above
-    /// the eye and mirrored pictures are as any. Places behind the eye and behind the horizon ask for
-    /// nothing. It is split too while the centre of projection is nearer to its box than half of the box's
-    /// diagonal on the ground, since nine places say nothing of what lies between then; parallel lines of
-    /// sight have none. What is seen at a grazing angle is split further than its coverage asks for. Boxes
-    /// that are higher than wide are treated as [`Enclosure::coverage`] treats them.
+    /// and 3.3; see [`anisotropic`]). The filter's footprint comes from the derivative of the picture there;
+    /// its sign does not matter, so ground above the eye and mirrored pictures are treated like any other.
+    /// Points behind the eye or behind the horizon do not cause a split.
+    ///
+    /// A tile is also split while the centre of projection is nearer to its box than half of the box's
+    /// diagonal on the ground, since then nine points do not represent what lies between them. This does not
+    /// apply to a parallel projection. Ground seen at a grazing angle is split further than its coverage
+    /// requires. Boxes that are higher than they are wide are treated as by [`Enclosure::coverage`].
     ///
     /// # Errors
-    /// [`InvalidDetail::Anisotropy`] for a number below 1, or not finite.
+    /// [`InvalidDetail::Anisotropy`] if `most` is below 1 or not finite.
+    #[doc(alias = "anisotropic filtering")]
+    #[doc(alias = "mipmap")]
     pub fn anisotropic(self, most: T) -> Result<Self, InvalidDetail<T>> {
         if !(most >= T::ONE && most.is_finite()) {
             return Err(InvalidDetail::Anisotropy(most));
@@ -75,54 +87,54 @@ impl<T: Real> Detail<T> {
     }
 }
 
-/// Why [`Detail`] was refused.
+/// The error of creating a [`Detail`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum InvalidDetail<T> {
-    /// Tiles of no samples.
+    /// The number of samples along a tile's side is 0.
     Samples,
-    /// The ratio of pixels to samples is not positive and finite.
+    /// The ratio of pixels to samples; it is not positive and finite.
     Ratio(T),
-    /// There is no such level.
+    /// The finest level is above 30.
     Level(InvalidTile),
-    /// The filter's number of samples is below 1 or not finite.
+    /// The filter's largest number of samples; it is below 1 or not finite.
     Anisotropy(T),
 }
 
 impl<T: fmt::Debug> fmt::Display for InvalidDetail<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Samples => f.write_str("expected at least one sample along a tile's side, got none"),
+            Self::Samples => f.write_str("expected at least 1 sample along a tile's side, got 0"),
             Self::Ratio(ratio) => write!(
                 f,
                 "expected a positive, finite ratio of pixels to samples, got {ratio:?}"
             ),
             Self::Level(level) => level.fmt(f),
-            Self::Anisotropy(most) => write!(f, "expected a filter of at least one sample, got {most:?}"),
+            Self::Anisotropy(most) => write!(f, "expected a finite anisotropy of at least 1, got {most:?}"),
         }
     }
 }
 
 impl<T: fmt::Debug> core::error::Error for InvalidDetail<T> {}
 
-/// The tiles that a picture is drawn from: of every place that is seen, one.
+/// The tiles from which a picture is drawn: an iterator. Each visible place is in exactly one of them.
 ///
-/// Lambers & Kolb (2012): from the six faces, a tile is split into its four quarters while its ground covers
-/// more pixels, in the picture and beyond its sides, than `ratio` times its samples
-/// ([`Enclosure::coverage`]). What is outside the view or behind the horizon is left out. The boxes contain
-/// their tiles and the horizon hides nothing that is seen, so that no place is missed; and the quarters of a
-/// tile have no place in common, so that none is drawn twice, but for the lines between tiles. That holds for
-/// perspective and parallel, mirrored and off-axis cameras, from within valleys and from afar ([`Camera`]
-/// says what is behind).
+/// The method is that of Lambers & Kolb (2012). It starts with the six faces, and splits a tile into its four
+/// children while its ground covers more pixels, in the picture and beyond its sides, than `ratio` times its
+/// samples ([`Enclosure::coverage`]). Tiles outside the view (frustum culling) or behind the horizon (horizon
+/// culling) are left out. The boxes contain their tiles and the horizon hides nothing that is visible, so no
+/// place is missed. The children of a tile do not overlap, so no place is drawn twice, except the lines
+/// between tiles. This holds for perspective and parallel, mirrored and off-axis cameras, inside valleys and
+/// far away ([`Camera`] says what lies behind a camera).
 ///
-/// Heights are to shrink with the tiles, as those of a table with the lowest and the highest sample of each
-/// tile do. Then there are 0.6 to 2 times as many tiles as if the ground itself were known. One range of
-/// kilometres for all tiles misses nothing either, but then the ground may be next to the eye: around it
-/// tiles are split to the finest level, some 100 more.
+/// The height range should shrink with the tile, as it does in a table of the lowest and the highest sample
+/// of each tile. Then the selection has 0.6 to 2 times as many tiles as if the ground itself were known. One
+/// range of several kilometres for all tiles does not miss anything either; but the ground may then be next
+/// to the eye, and tiles around the eye are split to the finest level: some 100 more tiles.
 ///
-/// An iterator that needs no stack: where it goes on is told by the address of the tile it has done with. Tiles come in the order of
-/// [`Morton`](super::Morton)'s keys.
+/// The iterator needs no stack: the address of the current tile determines the next one. Tiles come in the
+/// order of [`Morton`](super::Morton)'s keys.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Quadrilateralized};
@@ -144,26 +156,33 @@ impl<T: fmt::Debug> core::error::Error for InvalidDetail<T> {}
 /// assert_eq!(tiles.count(), 16);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "LOD")]
+#[doc(alias = "level of detail")]
+#[doc(alias = "chunked LOD")]
+#[doc(alias = "culling")]
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub struct Selection<'a, T, P, H> {
     enclosure: &'a Enclosure<T, P>,
     camera: Camera<T>,
-    /// Where lines of sight meet, if they do.
+    /// The centre of projection; `None` for a parallel projection.
     centre: Option<Ecef<T>>,
     horizon: Horizon<T>,
     detail: Detail<T>,
-    /// The pixels that a tile may cover.
+    /// The largest number of pixels that a tile may cover.
     most: T,
-    /// The level of a texture below which a tile is too coarse.
+    /// The lowest texture level that the filter may read from a tile: below it the tile is too coarse.
     coarsest: T,
     heights: H,
     next: Option<Tile>,
 }
 
 impl<'a, T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Selection<'a, T, P, H> {
-    /// For a camera, where `heights` tells the lowest and the highest point of a tile's terrain: in a tile
-    /// not beyond those of the tile it is a quarter of, and the nearer to the ground the fewer tiles.
+    /// Creates the selection for a camera.
+    ///
+    /// `heights` returns the lowest and the highest point of a tile's terrain, in metres. The range of a tile
+    /// must lie within the range of its parent. The closer the range is to the ground, the fewer tiles are
+    /// selected.
     pub fn new(enclosure: &'a Enclosure<T, P>, camera: Camera<T>, detail: Detail<T>, mut heights: H) -> Self {
         let lows = Face::ALL.map(|face| heights(Tile::root(face)).low());
         let lowest = lows.into_iter().fold(T::of(f64::INFINITY), min);
@@ -180,7 +199,7 @@ impl<'a, T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Selection<'a,
         }
     }
 
-    /// Whether a tile that is seen is too coarse.
+    /// Whether a visible tile is too coarse.
     #[inline]
     fn is_coarse(&self, tile: Tile, heights: Heights<T>, bounds: &OrientedBox<T>) -> bool {
         let slab = Slab::new(bounds, &self.camera, self.centre);
@@ -218,8 +237,9 @@ impl<T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Iterator for Sele
             if !self.camera.sees(&bounds) || self.horizon.hides_box(&bounds) {
                 continue;
             }
+            let finer = tile.level() < self.detail.finest;
             match tile.children() {
-                Some([first, ..]) if tile.level() < self.detail.finest && self.is_coarse(tile, heights, &bounds) => {
+                Some([first, ..]) if finer && self.is_coarse(tile, heights, &bounds) => {
                     self.next = Some(first);
                 }
                 _ => return Some(tile),
@@ -231,10 +251,11 @@ impl<T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Iterator for Sele
 
 impl<T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> FusedIterator for Selection<'_, T, P, H> {}
 
-/// The tile to go on with once one is done with, and all of it: the next quarter of the same tile, or of the last one above that has a next.
+/// The tile after this one and all its descendants: its next sibling, or the next sibling of the nearest
+/// ancestor that has one.
 fn after(tile: Tile) -> Option<Tile> {
     let Tile { face, level, i, j } = tile;
-    // Each level at which it is the last quarter ends with it.
+    // Every level at which the tile is the last of four siblings is finished too.
     let ended = (i & j).trailing_ones() as u8;
     if ended >= level {
         return Face::from_index(face.index() + 1).ok().map(Tile::root);

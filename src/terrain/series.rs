@@ -7,16 +7,16 @@ use crate::distortion::Singular;
 use crate::math::{max, select};
 use crate::{Direction, Dual, Ecef, Real};
 
-/// First and second derivatives by two variables.
+/// First and second derivatives with respect to two variables.
 type Second = Dual<Dual<f64, 2>, 2>;
 
-/// A tile, at the height that its base has in the middle, as a Taylor series of the second order about its
-/// middle: another way to vertices in single precision, without a grid in memory.
+/// A tile as a Taylor series of the second order about its middle: another way to compute vertices in single
+/// precision, without a grid in memory. The whole tile is at the height that its base has in the middle.
 ///
-/// From derivatives in double precision to coefficients in single precision. A vertex from the camera is
-/// [`origin`](Self::origin), once per frame, plus [`offset`](Self::offset) and, where there is terrain, h·n,
-/// with h the height above the base's middle. It meets the next tile only as far as the series holds:
-/// [`Patches::truncation`] bounds what it leaves out, and edges may part by twice that.
+/// The coefficients are computed in double precision and rounded to single precision. A vertex relative to
+/// the camera is [`origin`](Self::origin), computed once per frame, plus [`offset`](Self::offset) and, for
+/// terrain, plus h·n, where h is the height above the base's middle. [`Patches::truncation`] bounds the error
+/// of the series; between two adjacent tiles the gap may be twice that.
 ///
 /// ```
 /// use terrella::cube::{Balanced, CubeMap, Face};
@@ -35,39 +35,43 @@ type Second = Dual<Dual<f64, 2>, 2>;
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "Taylor series")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Series {
     anchor: [f64; 3],
-    /// Of u, v, u², uv, v².
+    /// The coefficients of u, v, u², uv, v².
     coefficients: [[f32; 3]; 5],
 }
 
 impl Series {
-    /// The middle of the tile at the base's height in metres, in Earth axes.
+    /// Returns the middle of the tile at the base's height, in metres along Earth axes.
     #[must_use]
     pub fn anchor(&self) -> Ecef<f64> {
         let [x, y, z] = self.anchor;
         Ecef::within(x, y, z)
     }
 
-    /// The coefficients of u, v, u², uv and v² in metres, for a shader that does what [`offset`](Self::offset) does.
+    /// Returns the coefficients of u, v, u², uv and v², in metres, for a shader that evaluates
+    /// [`offset`](Self::offset).
     #[must_use]
     pub const fn coefficients(&self) -> [[f32; 3]; 5] {
         self.coefficients
     }
 
-    /// The middle of the tile from a camera in metres: subtracted in double precision, then rounded.
+    /// Returns the middle of the tile relative to a camera, in metres: subtracted in double precision, then
+    /// rounded to single precision.
     #[must_use]
     #[inline]
     pub fn origin(&self, camera: Ecef<f64>) -> [f32; 3] {
         difference(self.anchor, camera.to_array()).map(narrow)
     }
 
-    /// The base from the middle of the tile in metres, at (u, v) = (2s − 1, 2t − 1) in [−1, 1]².
+    /// Returns the vector from the middle of the tile to the base at (u, v) = (2s − 1, 2t − 1) ∈ [−1, 1]², in
+    /// metres.
     ///
-    /// Within [`Patches::truncation`], in proportion to the radius of curvature and the base's height
-    /// together, and 3·10⁻⁷ of the way.
+    /// The error is at most [`Patches::truncation`], scaled by the ratio of (radius of curvature + base
+    /// height) to the radius of curvature, plus 3·10⁻⁷ of the vector's length.
     #[must_use]
     #[inline(always)]
     pub fn offset(&self, place: [f32; 2]) -> [f32; 3] {
@@ -75,7 +79,7 @@ impl Series {
     }
 }
 
-/// u(a + u·aa) + v(b + u·ab + v·bb).
+/// Evaluates u(a + u·aa) + v(b + u·ab + v·bb).
 #[inline(always)]
 fn evaluate<T: Real>([a, b, aa, ab, bb]: [[T; 3]; 5], [u, v]: [T; 2]) -> [T; 3] {
     let of_u = along(a, u, aa).map(|w| u * w);
@@ -83,10 +87,11 @@ fn evaluate<T: Real>([a, b, aa, ab, bb]: [[T; 3]; 5], [u, v]: [T; 2]) -> [T; 3] 
 }
 
 impl<P: CubeProjection> Patches<P> {
-    /// The series of a tile, at the height that a base has in its middle all over the tile.
+    /// Returns the series of a tile; the whole tile is at the height that the base has in its middle.
     ///
     /// # Errors
-    /// [`Singular`] if the projection has no derivatives in the tile's middle: at level 0 those of the faces' centres that are the tip of a cone.
+    /// [`Singular`] if the projection has no derivatives in the tile's middle. This happens at level 0 on
+    /// faces whose centre is the tip of a cone.
     pub fn series(&self, tile: Tile, base: Base) -> Result<Series, Singular<f64>> {
         let (anchor, coefficients) = self.expansion(tile, base.at([1, 1], 3));
         if coefficients.as_flattened().iter().all(|c| c.is_finite()) {
@@ -99,11 +104,14 @@ impl<P: CubeProjection> Patches<P> {
         }
     }
 
-    /// How far the series of any tile of a level on the ellipsoid is from the ground, in metres, rounding
-    /// aside; infinite where a tile has none. A level above 30 is taken for 30.
+    /// Returns a bound on the distance between the series of any tile of a level, on the ellipsoid, and the
+    /// true ground, in metres, not counting the rounding to single precision. Returns infinity if some tile
+    /// of the level has no series. A level above 30 is treated as 30.
     ///
-    /// What is left out is of the third order: it falls by eight from level to level, until rounding (4 ulps of the planet's radius, which are added) is more; across a
-    /// crease, and in the conformal cube's corners, as [`flatness`](Self::flatness) does. As there, it is the largest in the same tiles, in 16 places along their edges, and a quarter more. It takes a few
+    /// The neglected terms are of the third order: the bound falls to an eighth at each next level, until
+    /// rounding dominates (4 ulps of the planet's radius, which are added). On a crease, and in the conformal
+    /// cube's corners, it falls as [`flatness`](Self::flatness) does. As there, the result is the largest
+    /// value in the same tiles, here at 16 points along their edges, times 1.25. A call takes a few
     /// milliseconds.
     ///
     /// ```

@@ -5,14 +5,16 @@ use crate::cube::CubeProjection;
 use crate::math::atan2;
 
 impl Tile {
-    /// The solid angle in steradians between the great circles through the corners, counter-clockwise.
+    /// Returns the solid angle, in steradians, of the spherical quadrangle whose corners are those of the
+    /// tile and whose sides are great circles. It is positive for corners in counter-clockwise order.
     ///
-    /// S2's `ExactArea` of its cell. It is the area of the tile itself where the lines of constant x or y are
-    /// great circles, as those of [`S2Quadratic`](crate::cube::S2Quadratic) and
-    /// [`Tangential`](crate::cube::Tangential) are. Times the square of a radius it is an area on a sphere.
+    /// This is S2's `ExactArea` of a cell. It is the area of the tile itself if the lines of constant x and y
+    /// are great circles, as those of [`S2Quadratic`](crate::cube::S2Quadratic) and
+    /// [`Tangential`](crate::cube::Tangential) are. Multiply it by the square of a radius to get an area on a
+    /// sphere.
     ///
-    /// Worst error 2·10⁻¹⁶ (`f64`), 2.4·10⁻⁷ (`f32`, to level 25) times 2^level of the angle, by the rounding
-    /// of the corners; of a face half an ulp.
+    /// The worst error, from the rounding of the corners, is 2·10⁻¹⁶ (`f64`) or 2.4·10⁻⁷ (`f32`, to level 25)
+    /// times 2^level of the angle; for a face it is half an ulp.
     ///
     /// ```
     /// use terrella::cube::{Face, S2Quadratic};
@@ -20,6 +22,8 @@ impl Tile {
     /// let face: f64 = Tile::root(Face::Top).solid_angle(S2Quadratic);
     /// assert!((face - 4.0 * std::f64::consts::PI / 6.0).abs() < 1e-15);
     /// ```
+    #[doc(alias = "ExactArea")]
+    #[doc(alias = "cell area")]
     #[must_use]
     pub fn solid_angle<T: Real>(self, projection: impl CubeProjection) -> T {
         let [a, b, c, d] = self
@@ -29,11 +33,11 @@ impl Tile {
     }
 }
 
-/// Van Oosterom & Strackee (IEEE Trans. Biomed. Eng. 30, 1983); the triple product from differences, which
-/// are small where the triangle is.
+/// Van Oosterom & Strackee (IEEE Trans. Biomed. Eng. 30, 1983). The triple product is computed from
+/// differences, which are small if the triangle is small.
 ///
-/// The vectors are of unit length but for rounding, which shows in the triple product: lengths of 1 + δ are
-/// allowed for to first order.
+/// The vectors have unit length within rounding, and the triple product is sensitive to that: lengths of 1 +
+/// δ are corrected to first order.
 fn triangle<T: Real>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
     let excess = |v: [T; 3]| (dot(v, v) - T::ONE) * T::of(0.5);
     let (da, db, dc) = (excess(a), excess(b), excess(c));

@@ -1,9 +1,11 @@
 use crate::Ecef;
 
-/// A point in double precision as two in single precision: what a shader takes of fixed vertices that a moving camera sees.
+/// A point in double precision as the sum of two points in single precision, for a shader that draws fixed
+/// vertices seen by a moving camera.
 ///
-/// The sum of the two is within 2⁻⁴⁹ of the larger of each coordinate and 2⁻¹²⁵ m, for coordinates up to 10³⁸ m: 6 nm on the Earth's surface, where single precision
-/// alone has 0.25 m. (Ohlarik, *Precisions, precisions*, 2008.)
+/// The sum of the two parts differs from each coordinate by at most 2⁻⁴⁹ of it, or by 2⁻¹²⁵ m where that is
+/// larger, for coordinates up to 10³⁸ m. On the Earth's surface that is 6 nm; single precision alone has 0.25
+/// m. (Ohlarik, *Precisions, precisions*, 2008.)
 ///
 /// ```
 /// use terrella::Ecef;
@@ -17,6 +19,10 @@ use crate::Ecef;
 /// assert!((x - 1.123_456_789).abs() < 1e-7 && (y, z) == (0.5, -0.25));
 /// # Ok::<(), terrella::InvalidEcef<f64>>(())
 /// ```
+#[doc(alias = "emulated double")]
+#[doc(alias = "double-single")]
+#[doc(alias = "RTE")]
+#[doc(alias = "relative-to-eye")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Split {
@@ -25,7 +31,7 @@ pub struct Split {
 }
 
 impl Split {
-    /// From a point in metres.
+    /// Splits a point, in metres.
     #[must_use]
     #[inline(always)]
     pub fn new(point: Ecef<f64>) -> Self {
@@ -36,23 +42,25 @@ impl Split {
         }
     }
 
-    /// The nearest numbers of single precision, in metres.
+    /// Returns the high part: the nearest `f32` of each coordinate, in metres.
     #[must_use]
     #[inline(always)]
     pub const fn high(self) -> [f32; 3] {
         self.high
     }
 
-    /// What they leave, in metres.
+    /// Returns the low part: the rest of each coordinate, rounded to `f32`, in metres.
     #[must_use]
     #[inline(always)]
     pub const fn low(self) -> [f32; 3] {
         self.low
     }
 
-    /// From a camera, in metres, in single precision: the difference of the large parts and that of the small ones.
+    /// Returns the point relative to a camera, in metres, computed in single precision: the difference of the
+    /// high parts plus the difference of the low parts.
     ///
-    /// Each coordinate is within 2⁻²³ of itself and 2⁻⁴⁵ of the larger of the two points' (0.2 µm on the Earth).
+    /// Each coordinate is within 2⁻²³ of itself, plus 2⁻⁴⁵ of the larger of the two points' coordinates (0.2
+    /// µm on the Earth).
     #[must_use]
     #[inline(always)]
     pub fn seen_from(self, camera: Self) -> [f32; 3] {

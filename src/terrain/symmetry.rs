@@ -3,35 +3,39 @@ use super::{InvalidPatch, Tile};
 use crate::cube::Face;
 use crate::math::select;
 
-/// How a tile's patch comes from that of another tile: from [`Tile::representative`].
+/// The symmetry that maps the patch of one tile to that of another: see [`Tile::representative`].
 ///
-/// An ellipsoid of revolution on a cube about its axis keeps its shape under quarter turns about the axis and
-/// in the mirrors of the equator and of the meridians, with a level [`Base`](super::Base) of the same height:
-/// 16 symmetries of tiles, of which eight leave a polar face where it is and four a side face. They exchange
-/// and negate components, so that displacements and normals come over without rounding: in every bit what
-/// [`Patches::fill`](super::Patches::fill) would say, but in the conformal cube, which is itself symmetrical
-/// only to 2 ulps and where displacements are within 6 nm and an ulp.
+/// An ellipsoid of revolution whose axis is that of the cube keeps its shape under quarter turns about the
+/// axis, under the mirror of the equator and under the mirrors of meridians; so does a level
+/// [`Base`](super::Base), of the same height everywhere. These are 16 symmetries of tiles; eight of them map
+/// a polar face to itself, four a side face. A symmetry exchanges and negates vector components, so
+/// displacements and normals are carried over without rounding: the result has the same bits as that of
+/// [`Patches::fill`](super::Patches::fill). The exception is the conformal cube: it is itself symmetric only
+/// to 2 ulps, and displacements there agree within 6 nm and one ulp.
+#[doc(alias = "instancing")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Symmetry {
     from: Face,
     to: Face,
-    /// First, in the frame of the face, x and y are exchanged …
+    /// In the local frame of the face, x and y are exchanged first …
     swapped: bool,
-    /// … then they are negated.
+    /// … then x, y or both are negated.
     mirrored: [bool; 2],
 }
 
 impl Tile {
-    /// The tile that stands for this one among those of which an ellipsoid's symmetries make all others, and how: on the front or the top, in
-    /// the quarter where x and y are positive, and on the top where x ≥ y.
+    /// Returns the representative of this tile, and the symmetry that maps the representative to this tile.
+    ///
+    /// All tiles that the ellipsoid's symmetries map to each other have the same representative: a tile of
+    /// the front or top face in the quarter where x and y are positive, and on the top face where x ≥ y.
     ///
     /// ```
     /// use terrella::cube::Face;
     /// use terrella::terrain::Tile;
     /// let (representative, symmetry) = Tile::new(Face::Bottom, 3, 4, 0)?.representative();
     /// assert_eq!(representative, Tile::new(Face::Top, 3, 7, 4)?);
-    /// // Beside column 0 of row 0 of a grid of 5 × 5 on the bottom lies
+    /// // Column 0 of row 0 of a 5 × 5 grid on the bottom corresponds to column 4 of row 0 there.
     /// assert_eq!(symmetry.place([0, 0], 5), [4, 0]);
     /// # Ok::<(), terrella::terrain::InvalidTile>(())
     /// ```
@@ -54,7 +58,9 @@ impl Tile {
         (Self::within(face, self.level, i, j), symmetry)
     }
 
-    /// How many tiles of a level are their own representatives: 2 of 6, then (3k² + k)/2 of 24k² with k = 2^(level − 1).
+    /// Returns how many tiles of a level are their own representatives: 2 of the 6 tiles of level 0, and
+    /// (3k² + k)/2 of the 24k² tiles of a finer level, with k = 2^(level − 1). A level above 30 is treated
+    /// as 30.
     ///
     /// ```
     /// use terrella::terrain::Tile;
@@ -76,7 +82,7 @@ impl Tile {
 }
 
 impl Symmetry {
-    /// A displacement or a normal of the representative, carried over.
+    /// Maps a displacement or a normal of the representative to this tile.
     ///
     /// ```
     /// use terrella::cube::Face;
@@ -92,11 +98,12 @@ impl Symmetry {
         let (right, up) = select(self.swapped, (up, right), (right, up));
         let [beside, above] = self.mirrored;
         let local = [select(beside, -right, right), select(above, -up, up), outward];
-        // A zero stays positive.
+        // Adding 0 makes a negative zero positive.
         self.to.to_earth(local).map(|v| v + 0.0)
     }
 
-    /// The column and row in the representative's grid of `samples` × `samples` places that belong to a column and row of this tile's.
+    /// Returns the column and row in the representative's grid of `samples` × `samples` points that
+    /// correspond to column m and row n of this tile's grid.
     #[must_use]
     #[inline(always)]
     pub fn place(self, [m, n]: [u32; 2], samples: u32) -> [u32; 2] {
@@ -107,7 +114,10 @@ impl Symmetry {
         select(self.swapped, [n, m], [m, n])
     }
 
-    /// The representative's displacements or normals, carried over: in rows from below, three slices for x, y and z.
+    /// Maps the displacements or normals of all samples of the representative to this tile.
+    ///
+    /// `from` and `to` each hold three slices, for x, y and z, with `samples`² elements row by row from
+    /// below.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -119,7 +129,8 @@ impl Symmetry {
     /// let (representative, symmetry) = tile.representative();
     /// let fill = |tile| {
     ///     let (mut o, mut n) = ([[0.0; 16]; 3], [[0.0; 16]; 3]);
-    ///     patches.fill(tile, Base::default(), 4, o.each_mut().map(|o| &mut o[..]), n.each_mut().map(|n| &mut n[..])).map(|_| o)
+    ///     let (into_o, into_n) = (o.each_mut().map(|o| &mut o[..]), n.each_mut().map(|n| &mut n[..]));
+    ///     patches.fill(tile, Base::default(), 4, into_o, into_n).map(|_| o)
     /// };
     /// let mut carried = [[0.0; 16]; 3];
     /// let known = fill(representative)?;
@@ -129,7 +140,8 @@ impl Symmetry {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidPatch`] for less than 2 samples or more than 4097, and for a slice that is not of `samples`² elements; nothing is written then.
+    /// [`InvalidPatch`] if `samples` is not 2 to 4097, or if a slice does not have `samples`² elements.
+    /// Nothing is written then.
     pub fn fill(self, samples: u32, from: [&[f32]; 3], to: [&mut [f32]; 3]) -> Result<(), InvalidPatch> {
         let ([a, b, c], [x, y, z]) = (from, to);
         samples_and_length(samples, &[a.len(), b.len(), c.len(), x.len(), y.len(), z.len()])?;

@@ -4,13 +4,14 @@ use crate::Real;
 use crate::cube::{Corner, Face, FacePoint};
 use crate::math::{min, select};
 
-/// A square piece of a face: at level L the face has 2^L × 2^L, column i from the left and row j from below.
+/// A quadtree tile: one of the 2^L × 2^L squares of a face at level L, in column i from the left and row j
+/// from below.
 ///
-/// It covers −1 + 2i/2^L ≤ x ≤ −1 + 2(i + 1)/2^L, and y by j alike. These coordinates are exact in `f64` at
-/// every level and in `f32` to level 25; beyond, `f32` rounds them to the nearest, and corners of one tile
-/// may coincide.
+/// The tile covers −1 + 2i/2^L ≤ x ≤ −1 + 2(i + 1)/2^L, and likewise y with j. These coordinates are exact in
+/// `f64` at every level, and in `f32` up to level 25. At finer levels `f32` rounds them to the nearest
+/// number, and corners of one tile may coincide.
 ///
-/// A place in a tile is (s, t) ∈ [0, 1]², s along x and t along y.
+/// A position within a tile is (s, t) ∈ [0, 1]², with s along x and t along y.
 ///
 /// ```
 /// use terrella::cube::{Face, FacePoint};
@@ -21,6 +22,9 @@ use crate::math::{min, select};
 /// assert_eq!(tile.parent(), Some(Tile::new(Face::Top, 2, 2, 1)?));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "quadtree")]
+#[doc(alias = "LOD")]
+#[doc(alias = "QuadtreeTile")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -32,13 +36,13 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// The finest level, at which a tile of the Earth's is 9 mm wide.
+    /// The finest level, 30. A tile of this level is 9 mm wide on the Earth.
     pub const MAX_LEVEL: u8 = 30;
 
-    /// From a face, a level in 0 to 30, and a column and row in 0 to 2^level − 1.
+    /// Creates the tile of a face, a level (0 to 30), and a column and row (0 to 2^level − 1).
     ///
     /// # Errors
-    /// [`InvalidTile`] for a level above 30, or a column or row that the level does not have.
+    /// [`InvalidTile`] if the level is above 30, or the column or row is not in 0 to 2^level − 1.
     #[inline]
     pub const fn new(face: Face, level: u8, i: u32, j: u32) -> Result<Self, InvalidTile> {
         if level > Self::MAX_LEVEL {
@@ -53,26 +57,26 @@ impl Tile {
         Ok(Self { face, level, i, j })
     }
 
-    /// For indices known to be in range.
+    /// Creates a tile of indices that are known to be in range.
     #[inline(always)]
     pub(crate) const fn within(face: Face, level: u8, i: u32, j: u32) -> Self {
         Self { face, level, i, j }
     }
 
-    /// The tile of level 0: all of a face.
+    /// Returns the tile of level 0, which is a whole face.
     #[must_use]
     #[inline]
     pub const fn root(face: Face) -> Self {
         Self::within(face, 0, 0, 0)
     }
 
-    /// The tile of a level in which a point lies; on the line between two, the one of larger x or y. Exact at
-    /// either precision.
+    /// Returns the tile of a level that contains a point. A point on the line between two tiles belongs to
+    /// the tile of larger x or y. The result is exact in `f64` and in `f32`.
     ///
-    /// These are this crate's axes, and of a place on the edge of two faces
-    /// [`project`](crate::cube::CubeProjection::project) takes the face of y before those of z and x. S2's
-    /// axes are turned on three faces, and S2 takes z before y before x: its own cell of a place on a line
-    /// between cells is [`Key::s2_leaf`](super::Key::s2_leaf).
+    /// The axes are those of this crate. For a place on the edge between two faces,
+    /// [`project`](crate::cube::CubeProjection::project) prefers the face of y to that of z, and that of z to
+    /// that of x. S2's axes are turned on three faces, and S2 prefers z to y and y to x: for S2's own cell of
+    /// a place on a line between cells, use [`Key::s2_leaf`](super::Key::s2_leaf).
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint};
@@ -83,7 +87,7 @@ impl Tile {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidTile::Level`] for a level above 30.
+    /// [`InvalidTile::Level`] if the level is above 30.
     #[inline]
     pub fn containing<T: Real>(point: FacePoint<T>, level: u8) -> Result<Self, InvalidTile> {
         if level > Self::MAX_LEVEL {
@@ -91,42 +95,42 @@ impl Tile {
         }
         let half = 1_u32 << (Self::MAX_LEVEL - 1);
         let index = |x: T| {
-            // Scaling is exact; adding 1 to x first would not be.
+            // Scaling is exact; adding 1 to x before it would round.
             let finest = (x * T::whole(half.into())).floor().wrapping_add_unsigned(half);
             (finest as u32).min(2 * half - 1) >> (Self::MAX_LEVEL - level)
         };
         Ok(Self::within(point.face(), level, index(point.x()), index(point.y())))
     }
 
-    /// The face.
+    /// Returns the face.
     #[must_use]
     #[inline(always)]
     pub const fn face(self) -> Face {
         self.face
     }
 
-    /// The level, in 0 to 30.
+    /// Returns the level, 0 to 30.
     #[must_use]
     #[inline(always)]
     pub const fn level(self) -> u8 {
         self.level
     }
 
-    /// The column from the left, in 0 to 2^level − 1.
+    /// Returns the column, counted from the left, 0 to 2^level − 1.
     #[must_use]
     #[inline(always)]
     pub const fn i(self) -> u32 {
         self.i
     }
 
-    /// The row from below, in 0 to 2^level − 1.
+    /// Returns the row, counted from below, 0 to 2^level − 1.
     #[must_use]
     #[inline(always)]
     pub const fn j(self) -> u32 {
         self.j
     }
 
-    /// The tile of the next coarser level that this is a quarter of; a face has none.
+    /// Returns the tile of the next coarser level that contains this one, or `None` for a tile of level 0.
     #[must_use]
     #[inline]
     pub const fn parent(self) -> Option<Self> {
@@ -136,7 +140,8 @@ impl Tile {
         }
     }
 
-    /// The tile of a coarser level, or the same, that this lies in; none for a finer level.
+    /// Returns the tile of `level` that contains this tile (the tile itself for its own level). Returns
+    /// `None` if `level` is finer than this tile's level.
     ///
     /// ```
     /// use terrella::cube::Face;
@@ -155,8 +160,8 @@ impl Tile {
         }
     }
 
-    /// The four quarters, by columns in rows from below: (0, 0), (1, 0), (0, 1), (1, 1); the finest level has
-    /// none.
+    /// Returns the four tiles of the next finer level, row by row from below: (0, 0), (1, 0), (0, 1), (1, 1)
+    /// as (column, row). Returns `None` for a tile of level 30.
     ///
     /// ```
     /// use terrella::cube::Face;
@@ -180,17 +185,20 @@ impl Tile {
         ])
     }
 
-    /// Whether the other tile is this one or lies in it.
+    /// Returns whether `other` is this tile or a descendant of it.
     #[must_use]
     #[inline]
     pub const fn contains(self, other: Self) -> bool {
         match other.level.checked_sub(self.level) {
             None => false,
-            Some(down) => self.face as u8 == other.face as u8 && other.i >> down == self.i && other.j >> down == self.j,
+            Some(down) => {
+                let (i, j) = (other.i >> down, other.j >> down);
+                self.face as u8 == other.face as u8 && i == self.i && j == self.j
+            }
         }
     }
 
-    /// A corner.
+    /// Returns a corner of the tile.
     ///
     /// ```
     /// use terrella::cube::{Corner, Face, FacePoint};
@@ -207,27 +215,28 @@ impl Tile {
         self.node([right.into(), up.into()], 1)
     }
 
-    /// The corners, counter-clockwise from the one of largest x and y, as [`Corner::ALL`].
+    /// Returns the four corners in the order of [`Corner::ALL`]: counter-clockwise from the corner of largest
+    /// x and y.
     #[must_use]
     #[inline]
     pub fn corners<T: Real>(self) -> [FacePoint<T>; 4] {
         Corner::ALL.map(|corner| self.corner(corner))
     }
 
-    /// The middle, where (s, t) = (½, ½).
+    /// Returns the centre of the tile, where (s, t) = (½, ½).
     #[must_use]
     #[inline]
     pub fn centre<T: Real>(self) -> FacePoint<T> {
         self.node([1, 1], 2)
     }
 
-    /// The node (m, n) of the tile's grid of `count` × `count` cells, at (s, t) = (m, n)/count; a larger m or
-    /// n is taken for `count`, and a `count` of 0 for 1.
+    /// Returns the node (m, n) of a grid of `count` × `count` cells over the tile, at (s, t) = (m, n)/count.
+    /// An m or n above `count` is replaced by `count`, and a `count` of 0 by 1.
     ///
-    /// Correctly rounded to counts of 2²² in `f64`, within 1.5 ulp in `f32`. Two tiles of a level that share
-    /// an edge have the same bits along it, on either side of a face's edge too, but for the order and the
-    /// signs that the other face's axes ask for: a coordinate is one division of whole numbers, and odd about
-    /// the middle of the face.
+    /// Coordinates are correctly rounded for counts up to 2²² in `f64`, and within 1.5 ulp in `f32`. Two
+    /// tiles of one level that share an edge get identical bits along it; if the edge is between two faces,
+    /// the coordinates may trade places or change sign, as the axes of the faces require. This holds because
+    /// each coordinate is one division of whole numbers, and an odd function about the middle of the face.
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint};
@@ -250,10 +259,11 @@ impl Tile {
         FacePoint::within(self.face, coordinate(self.i, m), coordinate(self.j, n))
     }
 
-    /// The point of the face at (s, t), correctly rounded (`f32`: to level 25, an ulp beyond).
+    /// Returns the point of the face at position (s, t) of the tile. It is correctly rounded in `f64`, and in
+    /// `f32` up to level 25; at finer levels `f32` is within 1 ulp.
     ///
-    /// The coordinates of a face have their own digits: at level L there are 2^(53−L) different s in the
-    /// coarsest spot (`f64`), 2^(24−L) (`f32`).
+    /// A point is stored by its face coordinates, so their spacing limits how many different values of s it
+    /// can tell apart at level L: at least 2^(53−L) in `f64`, and 2^(24−L) in `f32`.
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint};
@@ -281,8 +291,8 @@ impl Tile {
         ))
     }
 
-    /// (s, t) of a point, within an ulp; none if it is on another face or beyond the tile's edges, which are
-    /// part of the tile.
+    /// Returns the position (s, t) of a point within the tile, within 1 ulp. Returns `None` if the point is
+    /// on another face or outside the tile. The tile's edges belong to the tile.
     ///
     /// ```
     /// use terrella::cube::{Face, FacePoint};
@@ -296,7 +306,7 @@ impl Tile {
     #[inline]
     pub fn place<T: Real>(self, point: FacePoint<T>) -> Option<[T; 2]> {
         let across = T::whole(1 << self.level);
-        // In half tiles: their number is exact, and what is left of it at any level.
+        // The number of whole half tiles is exact, and so is the remainder, at any level.
         let place = |index: u32, x: T| {
             let scaled = x * across;
             let floor = scaled.floor();
@@ -311,14 +321,14 @@ impl Tile {
         inside.then_some([s, t])
     }
 
-    /// The lower end of a column or row, in units of 2^−level from the middle of the face.
+    /// The lower end of a column or row, in half tile widths from the middle of the face.
     #[inline(always)]
     const fn low(self, index: u32) -> i32 {
         2 * index as i32 - (1 << self.level)
     }
 }
 
-/// The scalar nearest to a whole number of either sign.
+/// The scalar nearest to a signed whole number.
 #[inline(always)]
 fn signed<T: Real>(number: i32) -> T {
     let magnitude = T::whole(number.unsigned_abs().into());
@@ -333,20 +343,20 @@ impl fmt::Display for Tile {
     }
 }
 
-/// Why there is no such [`Tile`].
+/// The error of creating a [`Tile`]: an index is out of range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidTile {
-    /// The level is above 30.
+    /// The level; it is above 30.
     Level(u8),
-    /// The level has no such column.
+    /// The column is not in 0 to 2^level − 1.
     Column {
         /// The level.
         level: u8,
         /// The column.
         i: u32,
     },
-    /// The level has no such row.
+    /// The row is not in 0 to 2^level − 1.
     Row {
         /// The level.
         level: u8,
@@ -367,13 +377,13 @@ impl fmt::Display for InvalidTile {
 
 impl core::error::Error for InvalidTile {}
 
-/// A place that is not in a tile: s or t is not in [0, 1].
+/// The error of [`Tile::point`]: s or t is outside [0, 1] or NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InvalidPlace<T> {
-    /// The coordinate along x.
+    /// The value of s, the coordinate along x.
     pub s: T,
-    /// The coordinate along y.
+    /// The value of t, the coordinate along y.
     pub t: T,
 }
 

@@ -17,7 +17,7 @@ pub(super) fn difference<T: Real>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) ->
     [ax - bx, ay - by, az - bz]
 }
 
-/// From a point a way along an axis.
+/// The point at a distance `way` from a point along an axis: a + way·b.
 #[inline(always)]
 pub(super) fn along<T: Real>([ax, ay, az]: [T; 3], way: T, [bx, by, bz]: [T; 3]) -> [T; 3] {
     [ax + way * bx, ay + way * by, az + way * bz]

@@ -4,16 +4,23 @@ use super::patch::{Places, samples_and_length};
 use crate::math::min;
 use crate::simd::{Kernel, front, sweep};
 
-/// The corners of a [`Patch`](super::Patch) from a camera, in metres in Earth axes: what single precision needs of a tile for a frame.
+/// The corners of a [`Patch`](super::Patch) relative to the eye, in metres along Earth axes: all that a
+/// renderer in single precision needs of a tile for one frame (relative-to-eye rendering).
 ///
-/// A vertex is P′ + o + h·n, where P′ is interpolated between the corners and h is the height above the
-/// patch's [`Base`](super::Base), to be subtracted in double precision. Rounding is at most 4·10⁻⁷ of the
-/// farthest corner's distance and h, which is below 10⁻⁶ of the vertex's own distance where the tile's
-/// diagonal is at most as long as that. Tiles that share an edge, a level and the heights of the base in the
-/// edge's ends have the same bits along it, on whichever faces they are.
+/// A vertex is P′ + o + h·n. P′ is interpolated bilinearly between the corners, o is the displacement, n is
+/// the normal, and h is the height above the patch's [`Base`](super::Base); subtract the base from the
+/// terrain height in double precision. The rounding error is at most 4·10⁻⁷ of the sum of h and the farthest
+/// corner's distance. That is below 10⁻⁶ of the vertex's own distance if the tile's diagonal is not longer
+/// than that distance. Two tiles that share an edge, a level and the base heights at both ends of the edge
+/// get identical bits along it, also across faces.
 ///
-/// For a shader: weights are products of m/c and (c − m)/c, n/c and (c − n)/c with c = `samples` − 1; P′ is the sum of two sums, each of two
-/// opposite corners, and o and h·n are added to it in this order. Where a compiler contracts products and sums, edges agree to their rounding only.
+/// For a shader: the weights are products of m/c or (c − m)/c with n/c or (c − n)/c, where c = `samples` − 1.
+/// P′ is the sum of two sums, each of two opposite corners. Add o and then h·n to it, in this order. If a
+/// compiler contracts products and sums into fused operations, edges agree only within rounding.
+#[doc(alias = "relative-to-eye")]
+#[doc(alias = "RTE")]
+#[doc(alias = "relative-to-center")]
+#[doc(alias = "RTC")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Vertices {
@@ -21,16 +28,19 @@ pub struct Vertices {
 }
 
 impl Vertices {
-    /// The corners from the camera in metres, counter-clockwise from the one of largest x and y, as
-    /// [`Corner::ALL`](crate::cube::Corner::ALL).
+    /// Returns the corners relative to the eye, in metres, in the order of
+    /// [`Corner::ALL`](crate::cube::Corner::ALL): counter-clockwise from the corner of largest x and y.
     #[must_use]
     #[inline(always)]
     pub const fn corners(&self) -> [[f32; 3]; 4] {
         self.corners
     }
 
-    /// The vertex in column m and row n of a grid of `samples` × `samples`, from the camera in metres, for
-    /// its displacement in metres, its normal and its height above the base in metres.
+    /// Returns the vertex in column m and row n of a grid of `samples` × `samples`, relative to the eye, in
+    /// metres. `displacement` is in metres, `normal` is a unit vector, and `height` is in metres above the
+    /// base.
+    ///
+    /// An m or n beyond the grid is replaced by the last column or row.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -59,10 +69,11 @@ impl Vertices {
         vertex(self.corners, place, last as f32, displacement, normal, height)
     }
 
-    /// All vertices of a patch, from the camera in metres: what [`at`](Self::at) says, in rows from below, into three slices for x, y and z.
+    /// Computes all vertices of a patch, relative to the eye, in metres: the results of [`at`](Self::at), row
+    /// by row from below, in three slices for x, y and z.
     ///
-    /// Displacements and normals are those of [`Patches::fill`](super::Patches::fill); heights are above the
-    /// base in metres, in the same order.
+    /// `displacements` and `normals` are those of [`Patches::fill`](super::Patches::fill). `heights` are in
+    /// metres above the base, in the same order.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -76,17 +87,20 @@ impl Vertices {
     /// let tile = Tile::new(Face::Front, 12, 2050, 2060)?;
     /// let base = Base::new([1_500.0, 1_400.0, 1_300.0, 1_600.0])?;
     /// let patch = patches.fill(tile, base, 5, [&mut ox, &mut oy, &mut oz], [&mut nx, &mut ny, &mut nz])?;
-    /// let heights: [f32; 25] = std::array::from_fn(|k| (1_420.0 - base.at([k as u32 % 5, k as u32 / 5], 5)) as f32);
+    /// let above = |k: usize| 1_420.0 - base.at([k as u32 % 5, k as u32 / 5], 5);
+    /// let heights: [f32; 25] = std::array::from_fn(|k| above(k) as f32);
     /// // Once per frame:
     /// let seen = patch.seen_from(Ecef::new(6_380_000.0, 3_000.0, 20_000.0)?);
     /// let (mut x, mut y, mut z) = ([0.0; 25], [0.0; 25], [0.0; 25]);
     /// seen.fill(5, [&ox, &oy, &oz], [&nx, &ny, &nz], &heights, [&mut x, &mut y, &mut z])?;
-    /// assert_eq!([x[7], y[7], z[7]], seen.at([2, 1], 5, [ox[7], oy[7], oz[7]], [nx[7], ny[7], nz[7]], heights[7]));
+    /// let vertex = seen.at([2, 1], 5, [ox[7], oy[7], oz[7]], [nx[7], ny[7], nz[7]], heights[7]);
+    /// assert_eq!([x[7], y[7], z[7]], vertex);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`InvalidPatch`] for less than 2 samples or more than 4097, and for a slice that is not of `samples`² elements; nothing is written then.
+    /// [`InvalidPatch`] if `samples` is not 2 to 4097, or if a slice does not have `samples`² elements.
+    /// Nothing is written then.
     pub fn fill(
         &self,
         samples: u32,
@@ -118,12 +132,14 @@ impl Vertices {
         Ok(())
     }
 
-    /// The vertex at (s, t) in [0, 1]² without displacement, its normal interpolated between those of the
-    /// corners ([`Patch::normals`](super::Patch::normals)), at a height above the base in metres: for tiles
-    /// from the level that [`Patches::plain_level`](super::Patches::plain_level) says.
+    /// Returns the vertex at (s, t) ∈ [0, 1]², relative to the eye, in metres, without a displacement. The
+    /// normal is interpolated between those of the corners, `normals`
+    /// ([`Patch::normals`](super::Patch::normals)); `height` is in metres above the base. Use it from the
+    /// level on that [`Patches::plain_level`](super::Patches::plain_level) returns. An s or t above 1 is
+    /// replaced by 1.
     ///
-    /// A base that is not level adds a third of the largest difference of its heights times that of its
-    /// normals.
+    /// If the base is not level, the error grows by a third of the product of the largest difference between
+    /// its heights and the largest difference between its normals.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Balanced};
@@ -158,7 +174,7 @@ fn vertex(
     height: f32,
 ) -> [f32; 3] {
     let [x, y, z] = blend(corners, weights(place, last));
-    // Two tiles may have zeros of different signs.
+    // Adding 0 removes the sign of a zero, which may differ between two tiles.
     [
         x + ox + height * nx + 0.0,
         y + oy + height * ny + 0.0,
@@ -166,7 +182,7 @@ fn vertex(
     ]
 }
 
-/// Column, row, displacement, normal and height to the vertex.
+/// The kernel from column, row, displacement, normal and height to the vertex.
 #[derive(Clone, Copy)]
 struct ToVertex {
     corners: [[f32; 3]; 4],

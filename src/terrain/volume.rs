@@ -2,7 +2,9 @@ use super::vector::{along, difference, dot};
 use crate::math::max;
 use crate::{Ecef, Real};
 
-/// A box of any orientation, in metres in Earth axes; from [`Enclosure::of`](super::Enclosure::of).
+/// An oriented bounding box, in metres along Earth axes: from [`Enclosure::of`](super::Enclosure::of).
+#[doc(alias = "OBB")]
+#[doc(alias = "OrientedBoundingBox")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OrientedBox<T> {
@@ -12,7 +14,7 @@ pub struct OrientedBox<T> {
 }
 
 impl<T: Real> OrientedBox<T> {
-    /// The middle, in metres.
+    /// Returns the centre, in metres.
     #[must_use]
     #[inline]
     pub fn centre(&self) -> Ecef<T> {
@@ -20,21 +22,21 @@ impl<T: Real> OrientedBox<T> {
         Ecef::within(x, y, z)
     }
 
-    /// Three unit vectors at right angles, right-handed.
+    /// Returns the three axes: perpendicular unit vectors, right-handed.
     #[must_use]
     #[inline]
     pub const fn axes(&self) -> [[T; 3]; 3] {
         self.axes
     }
 
-    /// Half of the extent along each axis, in metres.
+    /// Returns half of the extent along each axis, in metres.
     #[must_use]
     #[inline]
     pub const fn half(&self) -> [T; 3] {
         self.half
     }
 
-    /// The eight corners, in metres.
+    /// Returns the eight corners, in metres.
     #[must_use]
     #[inline]
     pub fn corners(&self) -> [Ecef<T>; 8] {
@@ -50,7 +52,7 @@ impl<T: Real> OrientedBox<T> {
         })
     }
 
-    /// The sphere through the corners.
+    /// Returns the bounding sphere: the sphere through the corners.
     #[must_use]
     #[inline]
     pub fn sphere(&self) -> BoundingSphere<T> {
@@ -60,7 +62,7 @@ impl<T: Real> OrientedBox<T> {
         }
     }
 
-    /// The distance of a point in metres, 0 inside.
+    /// Returns the distance from a point to the box, in metres; 0 if the point is inside.
     #[must_use]
     #[inline]
     pub fn distance(&self, point: Ecef<T>) -> T {
@@ -73,12 +75,12 @@ impl<T: Real> OrientedBox<T> {
     }
 }
 
-/// A sphere, in metres in Earth axes; from [`OrientedBox::sphere`].
+/// A bounding sphere, in metres along Earth axes: from [`OrientedBox::sphere`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoundingSphere<T> {
-    /// The middle.
+    /// The centre, in metres.
     pub centre: Ecef<T>,
-    /// The radius in metres.
+    /// The radius, in metres.
     pub radius: T,
 }

@@ -1,4 +1,4 @@
-//! The corner rule, and the largest deformations that are known.
+//! The rule for corners, and the largest known angular deformations.
 
 use terrella::cube::{Face, Projection};
 use testkit::Worst;

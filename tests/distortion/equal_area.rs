@@ -1,4 +1,4 @@
-//! What keeps areas keeps them, on the sphere and on the ellipsoid.
+//! Equal-area projections keep areas, on the sphere and on the ellipsoid.
 
 use terrella::cube::Projection;
 use terrella::{Ellipsoid, Shift};

@@ -1,4 +1,4 @@
-//! Table 5.1 of Dimitrijević, Lambers & Rančić (2016), cell by cell, and what else the papers say in numbers.
+//! Table 5.1 of Dimitrijević, Lambers & Rančić (2016), cell by cell, and other figures of the papers.
 
 use rayon::prelude::*;
 use terrella::cube::{Face, Projection};

@@ -1,4 +1,4 @@
-//! The ground that most tests look at.
+//! The ground that most tests use.
 
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection};
 use terrella::distortion::Ground;

@@ -1,4 +1,4 @@
-//! Surveys: the same as counting one by one, whatever the size; faces that differ; scalars that are short.
+//! Surveys against counting one by one, for all sizes; faces that differ from each other; short scalars.
 
 use terrella::cube::{Face, Healpix, Projection, Quadrilateralized};
 use terrella::distortion::{Statistic, Survey};

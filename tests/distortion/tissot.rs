@@ -1,4 +1,4 @@
-//! Tissot's indicatrix: what its parts must be to each other, and to circles drawn on the ground.
+//! Tissot's indicatrix: the relations between its parts, and circles drawn on the ground.
 
 use terrella::cube::{Projection, Tangential};
 use terrella::distortion::Tissot;

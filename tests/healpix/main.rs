@@ -1,4 +1,4 @@
-//! Standard HEALPix: against 25 digits, with which healpy and cdshealpix agree, and against itself.
+//! Standard HEALPix against truth of 25 digits, with which healpy and cdshealpix agree, and against itself.
 #![allow(
     missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests
@@ -244,7 +244,7 @@ fn what_is_no_pixel_is_refused() {
         [
             "depth 30 is not in 0 to 29",
             "pixel 48 is not in 0 to 12·4^1 - 1",
-            "(0.5, 1.75) is not on HEALPix's plane",
+            "(0.5, 1.75) is outside HEALPix's plane",
             "(0.5, 1.5) is not in [0, 1]²"
         ]
     );

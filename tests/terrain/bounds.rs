@@ -1,4 +1,5 @@
-//! Boxes and spheres: that they contain what they should, how much more they contain, and what their proof takes from the projections.
+//! Bounding boxes and spheres: that they contain their tiles, how much larger they are, and the property of
+//! projections that their proof relies on.
 
 use fastrand::Rng;
 use proptest::prelude::*;
@@ -268,7 +269,7 @@ fn ranges_that_are_none_are_refused() {
         assert_eq!((l.to_bits(), h.to_bits()), (low.to_bits(), high.to_bits()));
     }
     let said = Heights::new(2.0, 1.0).unwrap_err().to_string();
-    assert_eq!(said, "expected finite heights, the lowest first, got 2.0 and 1.0");
+    assert_eq!(said, "expected finite heights with low ≤ high, got 2.0 and 1.0");
 }
 
 #[test]

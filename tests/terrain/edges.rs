@@ -1,4 +1,5 @@
-//! Edges: the same bits from both sides at one level, and gaps no wider than said between levels.
+//! Edges between tiles: identical bits from both sides at one level, and gaps no wider than stated between
+//! levels.
 
 use fastrand::Rng;
 use rayon::prelude::*;

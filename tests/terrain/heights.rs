@@ -1,4 +1,4 @@
-//! What heights along the sphere's normal cost, against the normals themselves.
+//! The error of heights along the sphere's normal, against the normals themselves.
 
 use fastrand::Rng;
 use terrella::terrain::lean;

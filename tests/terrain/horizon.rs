@@ -1,4 +1,4 @@
-//! What the planet hides, against the line of sight itself.
+//! Horizon culling against the line of sight itself.
 
 use fastrand::Rng;
 use terrella::cube::{CubeMap, Projection};

@@ -187,7 +187,7 @@ fn texts_that_are_no_tokens_are_refused() {
         said,
         [
             "expected a token of 1 to 16 bytes, got 0",
-            "'g' is not a digit in base 16",
+            "'g' is not a hexadecimal digit",
             "0xf000000000000000 is not the key of a tile"
         ]
     );

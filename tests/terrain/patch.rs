@@ -1,4 +1,4 @@
-//! Patches: vertices in single precision against the truth, how flat tiles are, and what the symmetries say.
+//! Patches: vertices in single precision against the truth, the flatness of tiles, and their symmetries.
 
 use fastrand::Rng;
 use rayon::prelude::*;
@@ -561,7 +561,7 @@ fn what_is_no_patch_is_refused() {
         Err(wrong)
     );
     assert!(o.iter().flatten().all(|&v| v == 0.0));
-    assert_eq!(wrong.to_string(), "expected slices of 9 elements, got one of 8");
+    assert_eq!(wrong.to_string(), "expected slices of 9 elements, got a slice of 8");
     assert_eq!(
         InvalidPatch::Samples(1).to_string(),
         "expected 2 to 4097 samples along an edge, got 1"

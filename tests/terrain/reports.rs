@@ -1,4 +1,4 @@
-//! Selections that were wrong, as their reports have them.
+//! Selections that bug reports showed to be wrong.
 
 use terrella::cube::{Balanced, CubeMap};
 use terrella::terrain::{Camera, Detail, Enclosure, Heights, Selection, Tile};

@@ -1,4 +1,5 @@
-//! S2's own cells: of places on its lines too, which are S2's by its order of axes and its rounding.
+//! S2's own cells, also for points on the lines between cells, where S2's order of axes and its rounding
+//! decide.
 
 use fastrand::Rng;
 use s2::cellid::CellID;

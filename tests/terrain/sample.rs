@@ -1,4 +1,4 @@
-//! Scalars and tiles: random ones, and a good part of them where something could go wrong.
+//! Random scalars and tiles, many of them near special cases.
 
 use std::fmt::Debug;
 

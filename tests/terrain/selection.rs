@@ -1,4 +1,4 @@
-//! The selection, against rays through pixels: what each of them meets is in one of the tiles, and in one only.
+//! Selections against rays through pixels: the place that a ray meets is in exactly one of the tiles.
 
 use fastrand::Rng;
 use rayon::prelude::*;
@@ -511,7 +511,7 @@ fn what_is_no_camera_is_refused() {
         said,
         [
             "expected a matrix of finite numbers, got NaN",
-            "expected a positive, finite number of pixels, got -1.0"
+            "expected a positive, finite size in pixels, got -1.0"
         ]
     );
 }
@@ -542,10 +542,10 @@ fn what_is_no_detail_is_refused() {
     assert_eq!(
         said,
         [
-            "expected at least one sample along a tile's side, got none",
+            "expected at least 1 sample along a tile's side, got 0",
             "expected a positive, finite ratio of pixels to samples, got 0.0",
             "level 31 is not in 0 to 30",
-            "expected a filter of at least one sample, got 0.5"
+            "expected a finite anisotropy of at least 1, got 0.5"
         ]
     );
 }

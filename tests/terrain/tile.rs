@@ -1,4 +1,4 @@
-//! Addresses: what is refused, what lies in what, and coordinates to the last digit.
+//! Tile addresses: refusals, ancestors, and coordinates to the last digit.
 
 use std::collections::HashSet;
 

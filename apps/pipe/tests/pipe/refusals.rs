@@ -97,8 +97,8 @@ fn faces_and_cells() {
         "token",
         "94",
         &[
-            (b"876b%20e99", "' ' is not a digit in base 16"),
-            (b"876bee99%0A", "'\\n' is not a digit in base 16"),
+            (b"876b%20e99", "' ' is not a hexadecimal digit"),
+            (b"876bee99%0A", "'\\n' is not a hexadecimal digit"),
             (b"%4", "% without two digits"),
             (b"%zz", "% without two digits"),
             (b"%ff", "invalid utf-8 sequence of 1 bytes from index 0"),
