@@ -62,6 +62,8 @@ PROJECTIONS = [
     re.search(rf'^    {kind} "([\w-]+)" \{{', (LIST / f"{module}.rs").read_text(), re.M)[1]
     for module, kind in re.findall(r"^    (\w+)::(\w+),$", (LIST / "mod.rs").read_text(), re.M)
 ]
+# Of the methods, those that need no place.
+METHODS = len(re.findall(r"^    \w+::\w+ \|\w+\|", (ROOT / "src/geodesic/mod.rs").read_text(), re.M))
 EARTH, SPHERE, LEAST, MOST = 0, 3, 4, 5
 
 
@@ -89,7 +91,7 @@ def main(directory):
             pair = [0, row["lat1"], row["lon1"], row["lat2"], row["lon2"]]
             seeds.add("inverse", [ellipsoid, *pair])
             seeds.add("lengths", [ellipsoid, *pair])
-            for method in range(8):
+            for method in range(METHODS):
                 seeds.add("methods_inverse", [method, ellipsoid, *pair])
         for row in rows(f"geod_direct_{name}"):
             line = [row["lat1"], row["lon1"], 0, row["azi1"], 5, row["s12"]]

@@ -3,9 +3,7 @@
 
 use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFacePoint, Projection, QuadCube};
-use terrella::geodesic::{
-    AnyMethod, Direct, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, Method, Plane, Vincenty,
-};
+use terrella::geodesic::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, Method, Vincenty, Visitor};
 use terrella::latitude::{Conversion, InvalidLatitude};
 use terrella::{
     Direction, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon,
@@ -291,22 +289,25 @@ fn geodesics_are_the_same_bits() {
     }
 }
 
+/// [`every_geodesic`], by a method's own type.
+struct Every;
+
+impl<T: Scalar> Visitor<T> for Every {
+    type Output = ();
+
+    fn visit<M: Geodesic<T>>(self, method: M) {
+        every_geodesic(&method);
+    }
+}
+
 #[test]
 fn all_methods_are_the_same_bits() {
     fn both<T: Scalar>() {
         let earth = Ellipsoid::new(T::of(6.4e6), T::of(1.0 / 298.257)).unwrap();
         for method in Method::ALL {
-            match method.on(earth).unwrap() {
-                AnyMethod::Haversine(method) => every_geodesic(&method),
-                AnyMethod::GreatCircle(method) => every_geodesic(&method),
-                AnyMethod::Flat(method) => every_geodesic(&method),
-                AnyMethod::Bowring(method) => every_geodesic(&method),
-                AnyMethod::Andoyer(method) => every_geodesic(&method),
-                AnyMethod::AndoyerSecond(method) => every_geodesic(&method),
-                any => every_geodesic(&any),
-            }
+            let place = LatLon::new(T::of(47.0), T::of(8.0)).unwrap();
+            method.about(earth, place).unwrap().visit(Every);
         }
-        every_geodesic(&Plane::new(earth, LatLon::new(T::of(47.0), T::of(8.0)).unwrap()).unwrap());
     }
     both::<f64>();
     both::<f32>();

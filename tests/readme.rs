@@ -2,6 +2,7 @@
 #![allow(missing_docs, clippy::indexing_slicing)] // tests
 
 use terrella::cube::{Kept, Profile, Projection};
+use terrella::geodesic::Method;
 use testkit::{generated, measure, table};
 
 fn number(value: f64, digits: usize) -> String {
@@ -71,6 +72,30 @@ fn properties_are_as_measured_and_shown() {
         );
     }
     generated::section("README.md", "| projection | keeps |", &table);
+}
+
+/// The table of methods, whose type is named by `link`.
+fn methods(link: impl Fn(Method) -> String) -> String {
+    let mut table = String::from("| method | name | model | good to | instructions |\n|---|---|---|---|--:|\n");
+    for &method in Method::ALL {
+        let profile = method.profile();
+        table += &format!(
+            "| {} | `{method}` | {} | {} | {} |\n",
+            link(method),
+            profile.model,
+            profile.good_to,
+            profile.instructions
+        );
+    }
+    table
+}
+
+#[test]
+fn methods_are_shown() {
+    let plain = methods(|method| format!("`{method:?}`"));
+    generated::section("README.md", "| method | name | model |", &plain);
+    let linked = methods(|method| format!("[`{method:?}`]"));
+    generated::file("src/geodesic/methods.md", &linked);
 }
 
 #[test]

@@ -1,7 +1,23 @@
 use super::angle::{heading, latitude_difference, longitude_difference, off_pole, wrapped};
+use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, select, sin_cos, sin_cos_degrees};
 use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
+
+profile! {
+    name: "great-circle",
+    title: "Great circle",
+    surface: Sphere,
+    flattenings: [f64::NEG_INFINITY, f64::INFINITY],
+    model: "sphere",
+    good_to: "rounding on the sphere everywhere; as the Earth 0.56 %",
+    instructions: 990,
+    errors: {
+        latitudes 0 to 90, f32 adds [4.5e-7 s] [2.24] [6e-8 s + 3.84] {
+            all km: [8e-16 s] [3.84e-9] [1e-16 s + 7.04e-9];
+        }
+    }
+}
 
 /// The great circle, the shortest line on a sphere. As accurate between neighbours and near the antipode as
 /// anywhere else.

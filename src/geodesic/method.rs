@@ -1,23 +1,24 @@
 use core::fmt;
 
-use super::{
-    Direct, Geodesic, GeodesicError, Inverse, andoyer, andoyer_second, bowring, flat, great_circle, haversine, karney,
-    plane, vincenty,
-};
+use super::{AnyMethod, Geodesic, Method};
 use crate::latitude::UnsupportedFlattening;
 use crate::name::by_name;
 use crate::{Ellipsoid, LatLon, Real};
 
-/// One line a method: `module::Type "name" instructions |ellipsoid| constructor`, or `|ellipsoid, place|`,
-/// the fewest instructions first.
+/// Makes modules, [`Method`], [`AnyMethod`] and their functions of a list. One line a method:
+/// `module::Type |ellipsoid| constructor`, or `|ellipsoid, place|`.
 macro_rules! methods {
     ($(
-        $module:ident::$variant:ident $name:literal $instructions:literal
-        |$ellipsoid:ident $(, $place:ident)?| $make:expr;
+        $module:ident::$variant:ident |$ellipsoid:ident $(, $place:ident)?| $make:expr;
     )*) => {
+        $(
+            mod $module;
+            pub use $module::$variant;
+        )*
+
         /// The methods of this crate, to choose one by name or at run time.
         ///
-        /// Code that always uses the same method names its type, for example [`Karney`](super::Karney), and
+        /// Code that always uses the same method names its type, for example [`Karney`], and
         /// then links no other method. [`Scene::distances`](crate::scene::Scene::distances) chooses for you.
         ///
         /// ```
@@ -35,8 +36,7 @@ macro_rules! methods {
         #[non_exhaustive]
         pub enum Method {
             $(
-                #[doc = concat!("[`", stringify!($variant), "`](super::", stringify!($variant), ").")]
-                #[doc = concat!("Name: `", $name, "`.")]
+                #[doc = concat!("[`", stringify!($variant), "`](struct@", stringify!($variant), ").")]
                 $variant,
             )*
         }
@@ -49,7 +49,7 @@ macro_rules! methods {
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self {
-                    $(Self::$variant => $name,)*
+                    $(Self::$variant => const { $module::PROFILE.name },)*
                 }
             }
 
@@ -60,7 +60,15 @@ macro_rules! methods {
             #[must_use]
             pub const fn instructions(self) -> u32 {
                 match self {
-                    $(Self::$variant => $instructions,)*
+                    $(Self::$variant => const { $module::PROFILE.instructions },)*
+                }
+            }
+
+            /// Returns what is known of the method.
+            #[must_use]
+            pub const fn profile(self) -> &'static Profile {
+                match self {
+                    $(Self::$variant => &$module::PROFILE,)*
                 }
             }
 
@@ -182,18 +190,7 @@ macro_rules! methods {
     (@place) => { false };
     (@place $place:ident) => { true };
 }
-
-methods! {
-    plane::Plane "plane" 330 |e, place| plane::Plane::new(e, place);
-    flat::Flat "flat" 450 |e| flat::Flat::new(e);
-    great_circle::GreatCircle "great-circle" 990 |e| Ok(great_circle::GreatCircle::mean(e));
-    andoyer::Andoyer "andoyer" 1000 |e| andoyer::Andoyer::new(e);
-    bowring::Bowring "bowring" 1000 |e| bowring::Bowring::new(e);
-    haversine::Haversine "haversine" 1100 |e| Ok(haversine::Haversine::mean(e));
-    karney::Karney "karney" 1100 |e| karney::Karney::new(e);
-    andoyer_second::AndoyerSecond "andoyer-second" 1400 |e| andoyer_second::AndoyerSecond::new(e);
-    vincenty::Vincenty "vincenty" 1500 |e| vincenty::Vincenty::new(e);
-}
+pub(super) use methods;
 
 impl Method {
     /// Creates the method on an ellipsoid. Methods of the sphere take its mean radius.

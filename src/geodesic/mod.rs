@@ -5,17 +5,7 @@
 //! (place, azimuth, distance → destination). Take [`Karney`] unless code size or speed forces another choice;
 //! [`scene`](crate::scene) chooses the cheapest method for a region and a tolerance.
 //!
-//! | method | model | worst error of the distance on the Earth |
-//! |---|---|---|
-//! | [`Karney`] | geodesic of the ellipsoid | 7 nm, everywhere |
-//! | [`Vincenty`] | geodesic of the ellipsoid, iteration of 1975 | 0.1 mm; no answer near the antipode |
-//! | [`AndoyerSecond`] | second order in the flattening | 6 mm at 3000 km, 0.2 m at 10 000 km |
-//! | [`Andoyer`] | first order in the flattening | 7.5 m at 5000 km, 15 m at 10 000 km |
-//! | [`Bowring`] | sphere that touches the ellipsoid | 1.1 mm at 100 km |
-//! | [`Flat`] | plane at the middle latitude | 6 mm at 10 km below 60° |
-//! | [`Plane`] | [`Flat`] as polynomials about a place | 6 mm at 10 km below 60°, near that place |
-//! | [`GreatCircle`] | sphere | 0.56 % |
-//! | [`Haversine`] | sphere | 0.56 % |
+#![doc = include_str!("methods.md")]
 //!
 //! [`Area`] and [`PolygonArea`] measure polygons of any size, [`PlanarArea`] fields of some hundred
 //! kilometres. [`batch::geodesic`](crate::batch::geodesic) solves whole slices.
@@ -31,35 +21,33 @@ mod mid_latitude;
 mod series;
 mod sphere;
 
-mod andoyer;
-mod bowring;
-mod flat;
-mod great_circle;
-mod haversine;
-mod karney;
 mod method;
 mod planar_area;
-mod plane;
-mod vincenty;
+mod profile;
 
-use andoyer::second as andoyer_second;
-
-pub use andoyer::Andoyer;
-pub use andoyer_second::AndoyerSecond;
-pub use bowring::Bowring;
 pub use error::GeodesicError;
-pub use flat::Flat;
 pub use general::{Line, LinePoint};
-pub use great_circle::GreatCircle;
-pub use haversine::Haversine;
-pub use karney::{Area, Karney, PolygonArea, Solution};
-pub use method::{AnyMethod, InvalidMethod, Method, UnknownMethod, Visitor};
+pub use karney::{Area, PolygonArea, Solution};
+pub use method::{InvalidMethod, UnknownMethod, Visitor};
 pub use planar_area::{PlanarArea, PlanarPolygon};
-pub use plane::Plane;
-pub use vincenty::Vincenty;
+pub use profile::{Linear, Profile, Surface, WorstErrors};
 
 use crate::latitude::UnsupportedFlattening;
 use crate::{Ellipsoid, LatLon, Real};
+use method::methods;
+
+// One line a method, the fewest instructions first. To add one, write its file and its line.
+methods! {
+    plane::Plane |e, place| Plane::new(e, place);
+    flat::Flat |e| Flat::new(e);
+    great_circle::GreatCircle |e| Ok(GreatCircle::mean(e));
+    andoyer::Andoyer |e| Andoyer::new(e);
+    bowring::Bowring |e| Bowring::new(e);
+    haversine::Haversine |e| Ok(Haversine::mean(e));
+    karney::Karney |e| Karney::new(e);
+    andoyer_second::AndoyerSecond |e| AndoyerSecond::new(e);
+    vincenty::Vincenty |e| Vincenty::new(e);
+}
 
 /// A method that solves the inverse and the direct problem of geodesy.
 ///

@@ -1,9 +1,21 @@
 use super::angle::off_pole;
 use super::mid_latitude::{self, Scale};
+use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::{DoubleWord, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
+
+profile! {
+    name: "plane",
+    title: "Plane",
+    surface: Local,
+    flattenings: [-1.0 / 60.0, 1.0 / 60.0],
+    model: "`Flat` about a place, without a sine; in `f32` from offsets",
+    good_to: "as `Flat`, 0.2 mm more on a kilometre half a degree away at latitude 60",
+    instructions: 330,
+    errors: {}
+}
 
 /// [`Flat`](super::Flat) about one place: its scales are polynomials of the second degree in the latitude, so
 /// that the distance needs no sine. The cheapest method here.

@@ -5,23 +5,9 @@ use terrella::geodesic::{Geodesic, Karney};
 use terrella::{Ellipsoid, LatLon};
 use testkit::{Worst, maximum, minimum};
 
-use crate::along::{Errors, hold, turned};
+use crate::along::turned;
 use crate::sample::{awkward, even, place, signed};
 use testkit::truth::Scalar;
-
-#[test]
-fn it_holds_at_every_distance() {
-    let double = Karney::new(Ellipsoid::WGS84).unwrap();
-    let single = Karney::new(Ellipsoid::WGS84).unwrap();
-    let claimed = Errors {
-        distance: 2.0e-8,
-        azimuth: 1.5e-8,
-        position: 2.0e-8,
-    };
-    for distance in [1.0, 1e3, 1e5, 1e6, 5e6, 1e7, 1.5e7, 1.9e7, 2e7] {
-        hold(&double, &single, distance, (0.0, 90.0), claimed);
-    }
-}
 
 /// The largest errors between many pairs of places.
 #[derive(Debug, Default)]

@@ -1,7 +1,7 @@
 //! Geodesics: GeographicLib's answers, the way there and back, and what swapping, mirroring and going round do.
 
 use geographiclib_rs::{DirectGeodesic, Geodesic as Theirs, InverseGeodesic, PolygonArea, Winding};
-use terrella::geodesic::{Area, Direct, Geodesic, GeodesicError, Inverse, Karney, Method};
+use terrella::geodesic::{Area, Direct, Geodesic, GeodesicError, Inverse, Karney, Method, Surface};
 use terrella::math::sin_cos_degrees;
 use terrella::{Ellipsoid, LatLon};
 use testkit::{maximum, minimum};
@@ -402,110 +402,26 @@ fn polygon<T: Scalar>(bytes: &mut Bytes<'_>) {
     }
 }
 
-/// What a method's documentation claims on the Earth up to some distance: of the distance, the azimuths times the reduced length,
-/// and the position of the direct problem, in metres, as constants and as parts of the distance.
-struct Claim {
-    upto: f64,
-    constant: [f64; 3],
-    part: [f64; 3],
-}
-
-const fn row(upto: f64, constant: [f64; 3]) -> Claim {
-    Claim {
-        upto,
-        constant,
-        part: [0.0; 3],
-    }
-}
-
-const ANDOYER: &[Claim] = &[
-    Claim {
-        upto: 5e6,
-        constant: [1e-8; 3],
-        part: [1.5e-6, 4e-6, 6e-6],
-    },
-    row(1e7, [15.0, 45.0, 40.0]),
-    row(1.5e7, [70.0, 200.0, 50.0]),
-    row(1.8e7, [280.0, 600.0, 40.0]),
-    row(1.9e7, [600.0, 1300.0, 40.0]),
-    row(2.01e7, [3.5e4, 2.2e5, 40.0]),
-];
-
-const ANDOYER_SECOND: &[Claim] = &[
-    Claim {
-        upto: 3e6,
-        constant: [5e-9, 5e-9, 6e-9],
-        part: [2e-9, 1e-9, 4e-9],
-    },
-    row(5e6, [0.02, 0.012, 0.015]),
-    row(1e7, [0.2, 0.15, 0.02]),
-    row(1.5e7, [2.0, 1.6, 0.03]),
-    row(1.8e7, [20.0, 15.0, 0.03]),
-    row(1.9e7, [80.0, 70.0, 0.03]),
-    row(2.01e7, [3.5e4, 2.2e5, 0.03]),
-];
-
-const BOWRING: &[Claim] = &[
-    row(1e3, [6e-9, 6.4e-9, 6e-9]),
-    row(1e4, [1e-6, 4e-7, 1e-6]),
-    row(1e5, [1.1e-3, 6e-4, 1.1e-3]),
-    row(1.5e5, [4e-3, 3e-3, 4e-3]),
-    row(1e6, [5.0, 7.0, 5.0]),
-];
-
-const FLAT: &[(f64, &[Claim])] = &[
-    (
-        30.0,
-        &[row(1e3, [1.4e-6; 3]), row(1e4, [1.4e-3; 3]), row(1e5, [1.4; 3])],
-    ),
-    (60.0, &[row(1e3, [6e-6; 3]), row(1e4, [6e-3; 3]), row(1e5, [6.0; 3])]),
-    (80.0, &[row(1e3, [6e-5; 3]), row(1e4, [6e-2; 3]), row(1e5, [60.0; 3])]),
-    (89.0, &[row(1e3, [6e-3; 3]), row(1e4, [6.0; 3]), row(1e5, [1.2e4; 3])]),
-];
-
-/// What a method claims of a line from a latitude on an ellipsoid: nothing beyond where its table ends.
+/// What a method claims of a line from a latitude on an ellipsoid: distance, azimuths and position.
 fn claim_of<T: Scalar>(method: Method, ellipsoid: Ellipsoid<T>, lat: f64, distance: f64) -> Option<[f64; 3]> {
     let distance = distance.abs();
-    let earth = ellipsoid == Ellipsoid::WGS84;
-    let single = T::NAME == "f32";
-    let table: &[Claim] = match method {
-        Method::Vincenty => {
-            let [part, least, most, long] = if single {
-                [7e-7, 0.0, 7.0, 3.5e-7]
-            } else {
-                [1e-11, 5e-9, 1e-4, 6e-12]
-            };
-            let length = minimum(part * distance + least, most);
-            return Some([length, length, maximum(long * distance, most)]);
-        }
-        Method::GreatCircle => {
-            let [length, azimuth, end, per] = if single {
-                [4.5e-7, 3.5e-7, 6.0e-7, 6e-8]
-            } else {
-                [8.0e-16, 6.0e-16, 1.1e-15, 1e-16]
-            };
-            let a = ellipsoid.a().into();
-            return Some([length * distance, azimuth * a, end * a + per * distance]);
-        }
-        Method::Andoyer if earth => ANDOYER,
-        Method::AndoyerSecond if earth => ANDOYER_SECOND,
-        Method::Bowring if earth => BOWRING,
-        Method::Flat if earth => FLAT.iter().find(|(limit, _)| lat.abs() <= *limit)?.1,
-        _ => return None,
-    };
-    let claim = table.iter().find(|claim| distance <= claim.upto)?;
-    let [length, position] = if single { [7e-7 * distance, 2.0] } else { [0.0; 2] };
-    let of = |i: usize| claim.constant[i] + claim.part[i] * distance + length;
-    Some([of(0), of(1), of(2) + position])
+    let profile = method.profile();
+    // Vincenty's holds for all ellipsoids that it takes.
+    let anywhere = profile.surface == Surface::Sphere || method == Method::Vincenty;
+    if !anywhere && ellipsoid != Ellipsoid::WGS84 {
+        return None;
+    }
+    let row = profile.worst_errors(lat, distance)?;
+    let added = row
+        .single
+        .map(|error| if T::NAME == "f32" { error.at(distance) } else { 0.0 });
+    Some([0, 1, 2].map(|i| row.double[i].at(distance) + added[i]))
 }
 
-/// The least and the largest flattening that a method takes.
+/// The least and the largest flattening that a method is asked about.
 pub fn flattenings(method: Method) -> [f64; 2] {
-    if method == Method::Vincenty {
-        [0.0, 1.0 / 293.0]
-    } else {
-        [-1.0 / 60.0, 1.0 / 60.0]
-    }
+    let [least, most] = method.profile().flattenings;
+    [maximum(least, -1.0 / 60.0), minimum(most, 1.0 / 60.0)]
 }
 
 /// A method's ellipsoid: the sphere for those that know no other, the Earth's for Vincenty's.
@@ -516,7 +432,7 @@ fn method<T: Scalar>(bytes: &mut Bytes<'_>) -> (Method, Ellipsoid<T>) {
         .filter(|method| !method.needs_place())
         .collect();
     let method = bytes.choice(&everywhere);
-    let spherical = matches!(method, Method::GreatCircle | Method::Haversine);
+    let spherical = method.profile().surface == Surface::Sphere;
     let [least, most] = flattenings(method);
     let ellipsoid = bytes.ellipsoid(least, most);
     (

@@ -11,8 +11,7 @@ use terrella::cube::{
 use terrella::distortion::{Ground, Singular};
 use terrella::frame::InvalidEnu;
 use terrella::geodesic::{
-    Andoyer, AndoyerSecond, AnyMethod, Area, Bowring, Flat, Geodesic, GeodesicError, GreatCircle, Haversine,
-    InvalidMethod, Karney, Method, Vincenty,
+    AnyMethod, Area, Geodesic, GeodesicError, GreatCircle, Haversine, InvalidMethod, Karney, Method,
 };
 use terrella::latitude::{Conversion, InvalidLatitude, UnsupportedFlattening};
 use terrella::{
@@ -352,20 +351,9 @@ fn flattening<T: Scalar>(bytes: &mut Bytes<'_>) {
     }
     judge("karney", Karney::new(ellipsoid).map(|_| ()), series);
     judge("area", Area::new(ellipsoid).map(|_| ()), series);
-    let round = within(-1.0 / 60.0, 1.0 / 60.0, room);
-    let earths = within(0.0, 1.0 / 293.0, room);
-    judge("vincenty", Vincenty::new(ellipsoid).map(|_| ()), earths);
-    judge("flat", Flat::new(ellipsoid).map(|_| ()), round);
-    judge("bowring", Bowring::new(ellipsoid).map(|_| ()), round);
-    judge("andoyer", Andoyer::new(ellipsoid).map(|_| ()), round);
-    judge("andoyer-second", AndoyerSecond::new(ellipsoid).map(|_| ()), round);
     for &method in Method::ALL {
-        let expected = match method {
-            Method::Haversine | Method::GreatCircle => Some(true),
-            Method::Karney => series,
-            Method::Vincenty => earths,
-            _ => round,
-        };
+        let [least, most] = method.profile().flattenings;
+        let expected = within(least, most, room);
         let place = LatLon::default();
         judge(
             method.name(),

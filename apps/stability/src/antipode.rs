@@ -1,12 +1,12 @@
 //! The second and third pictures: maps of the square of ±1 degree about an antipode.
 
 use rayon::prelude::*;
-use terrella::geodesic::{Karney, Vincenty};
+use terrella::geodesic::{Karney, Surface, Vincenty};
 use terrella::{Ellipsoid, LatLon, Real};
 
 use crate::pair::{Pair, Place, Scalar, Truth};
 use crate::scale::{Scale, hatch_legend};
-use crate::solver::{Figure, Solver, radius};
+use crate::solver::{Solver, radius};
 use draw::svg::{Area, Svg};
 use draw::units::{length, metres, percent};
 
@@ -20,10 +20,10 @@ const PANEL: f64 = 300.0;
 /// Draws the errors, in metres.
 pub fn errors(ours: &[Solver], earth: &Truth, side: u32) -> Result<Svg, String> {
     let sphere = Truth::sphere(radius());
-    let of = |figure| ours.iter().filter(move |s| s.figure == figure);
-    let on_sphere = of(Figure::Sphere).map(|s| (s, &sphere, " on the sphere"));
-    let on_earth = of(Figure::Ellipsoid).map(|s| (s, earth, ""));
-    let mut double = of(Figure::Sphere).filter(|s| s.scalar == Scalar::F64);
+    let of = |surface| ours.iter().filter(move |s| s.surface == surface);
+    let on_sphere = of(Surface::Sphere).map(|s| (s, &sphere, " on the sphere"));
+    let on_earth = of(Surface::Ellipsoid).map(|s| (s, earth, ""));
+    let mut double = of(Surface::Sphere).filter(|s| s.scalar == Scalar::F64);
     let as_model = double.next_back().into_iter().map(|s| (s, earth, " as the Earth"));
     let panels: Vec<_> = on_sphere.chain(on_earth).chain(as_model).collect();
     let scale = Scale {

@@ -8,8 +8,7 @@ use core::panic::PanicInfo;
 use terrella::cube::{self, CubeMap, CubeProjection, FacePoint};
 use terrella::distortion::{Ground, Jacobian, Singular};
 use terrella::geodesic::{
-    Andoyer, AndoyerSecond, Bowring, Direct, Flat, Geodesic, GeodesicError, GreatCircle, Haversine, Inverse, Karney,
-    PlanarArea, Plane, Vincenty,
+    self, Direct, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, PlanarArea, Plane, Vincenty,
 };
 use terrella::latitude::UnsupportedFlattening;
 use terrella::scene::{Areas, Distances, Positions, Scene};
@@ -76,10 +75,10 @@ macro_rules! methods {
     ($($inverse:ident $direct:ident $method:ident;)*) => {
         functions! {
             $(
-                $inverse(method: &$method<T>, from: &LatLon<T>, to: &LatLon<T>) -> Line<T> {
+                $inverse(method: &geodesic::$method<T>, from: &LatLon<T>, to: &LatLon<T>) -> Line<T> {
                     method.inverse(*from, *to)
                 }
-                $direct(method: &$method<T>, from: &LatLon<T>, azimuth: T, distance: T) -> End<T> {
+                $direct(method: &geodesic::$method<T>, from: &LatLon<T>, azimuth: T, distance: T) -> End<T> {
                     method.direct(*from, azimuth, distance)
                 }
             )*
@@ -89,17 +88,7 @@ macro_rules! methods {
 
 mod methods {
     use super::*;
-    methods! {
-        haversine_inverse haversine_direct Haversine;
-        great_circle_inverse great_circle_direct GreatCircle;
-        flat_inverse flat_direct Flat;
-        plane_inverse plane_direct Plane;
-        bowring_inverse bowring_direct Bowring;
-        andoyer_inverse andoyer_direct Andoyer;
-        andoyer_second_inverse andoyer_second_direct AndoyerSecond;
-        vincenty_inverse vincenty_direct Vincenty;
-        karney_inverse karney_direct Karney;
-    }
+    include!(concat!(env!("OUT_DIR"), "/methods.rs"));
 }
 
 fn places<T: terrella::Real>([lat1, lon1, lat2, lon2]: [T; 4]) -> Option<[LatLon<T>; 2]> {

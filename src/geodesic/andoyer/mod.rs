@@ -1,13 +1,33 @@
 use super::angle::{heading, northward_between_poles, wrapped};
+use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::sin_cos;
 use crate::{Ellipsoid, LatLon, Real};
 
-mod arc;
-pub(super) mod second;
+pub(super) mod arc;
 
 use arc::{Departure, Ends};
+
+profile! {
+    name: "andoyer",
+    title: "Andoyer",
+    surface: Ellipsoid,
+    flattenings: [-1.0 / 60.0, 1.0 / 60.0],
+    model: "first order in the flattening",
+    good_to: "1.5e-6 of the distance to 5000 km",
+    instructions: 1000,
+    errors: {
+        latitudes 0 to 90, f32 adds [7e-7 s] [7e-7 s] [7e-7 s + 2.0] {
+            5000 km: [1.5e-6 s + 1e-8] [4e-6 s + 1e-8] [6e-6 s + 1e-8];
+            10000 km: [15.0] [45.0] [40.0];
+            15000 km: [70.0] [200.0] [50.0];
+            18000 km: [280.0] [600.0] [40.0];
+            19000 km: [600.0] [1300.0] [40.0];
+            20100 km: [3.5e4] [2.2e5] [40.0];
+        }
+    }
+}
 
 /// Andoyer and Lambert's formula: the great circle between the parametric latitudes, corrected to the first
 /// order in the flattening. In closed form, for any distance.
@@ -19,18 +39,10 @@ use arc::{Departure, Ends};
 ///
 /// Worst error on the Earth at any latitude, in metres:
 ///
-/// | distance | distance | azimuths × reduced length | position, direct |
-/// |---|---|---|---|
-/// | s ≤ 5000 km | 1.5e-6 s | 4e-6 s | 6e-6 s |
-/// | 10 000 km | 15 | 45 | 40 |
-/// | 15 000 km | 70 | 200 | 50 |
-/// | 18 000 km | 280 | 600 | 40 |
-/// | 19 000 km | 600 | 1300 | 40 |
-/// | to the antipode | 3.5e4 | 2.2e5 | 40 |
-/// | any number of times around | – | – | 1.5e-6 s |
+#[doc = table!()]
 ///
-/// On other ellipsoids the error grows with f²; on a sphere it is that of
-/// [`GreatCircle`](super::GreatCircle). `f32` adds 7e-7 of the distance.
+/// Lines that go around any number of times reach the place to 1.5e-6 s. On other ellipsoids the error grows with f²; on a sphere it is that of
+/// [`GreatCircle`](super::GreatCircle).
 ///
 /// ```
 /// use terrella::geodesic::{Andoyer, Geodesic};
