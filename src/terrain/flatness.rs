@@ -103,12 +103,12 @@ impl<P: CubeProjection> Patches<P> {
     ///
     /// | projection | 1 m | 1 cm | 1 mm |
     /// |---|---|---|---|
-    /// | twelve of the sixteen | 12 | 15 | 17 |
-    /// | of them COBE's two | 12 | 16 | 17 |
+    /// | COBE's two | 12 | 16 | 17 |
     /// | conformal | 16 | 21 | 23 |
     /// | vertex | 21 | 27 | none |
     /// | quadrilateralized | 21 | 28 | none |
     /// | HEALPix | 22 | 29 | none |
+    /// | all others | 12 | 15 | 17 |
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Projection};
