@@ -37,8 +37,8 @@ profile! {
 ///
 #[doc = table!()]
 ///
-/// Lines that go around any number of times reach the place to 1.5e-9 s. On other ellipsoids the error grows with f³; on a sphere it is that of
-/// [`GreatCircle`](crate::geodesic::GreatCircle).
+/// Lines that go around any number of times reach the place to 1.5e-9 s. On other ellipsoids the error grows
+/// with f³; on a sphere it is that of [`GreatCircle`](crate::geodesic::GreatCircle).
 ///
 /// ```
 /// use terrella::geodesic::{AndoyerSecond, Geodesic};

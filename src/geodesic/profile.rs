@@ -2,7 +2,7 @@
 
 /// What is known of a method: names, model, errors and cost.
 ///
-/// Every figure is measured, and a test holds it.
+/// Every figure is measured, and a test checks it.
 ///
 /// ```
 /// use terrella::geodesic::{Method, Surface};
@@ -24,22 +24,23 @@ pub struct Profile {
     pub surface: Surface,
     /// The least and the greatest flattening that the method takes. Methods of the sphere take any.
     pub flattenings: [f64; 2],
-    /// How the method sees the Earth.
+    /// The model of the Earth that the method computes on, in words.
     pub model: &'static str,
     /// The worst error of the distance on the Earth, in words.
     pub good_to: &'static str,
-    /// Instructions of one inverse problem: distance and azimuths in `f64`, on x86-64 with SSE2, to two digits.
+    /// Instructions of one inverse problem: distance and azimuths in `f64`, on x86-64 with SSE2, to two
+    /// digits.
     pub instructions: u32,
     /// The worst errors by latitude and distance, in ascending order; empty if they depend on more than that.
     ///
-    /// They are those on WGS 84. Those of a method of the sphere are on a sphere of 6400 km, against the exact
-    /// great circle.
+    /// They are those on WGS 84. Those of a method of the sphere are on a sphere of 6400 km, against the
+    /// exact great circle.
     pub errors: &'static [WorstErrors],
 }
 
 impl Profile {
-    /// Returns the worst errors of lines that start at a latitude in degrees and are this many metres long, or
-    /// `None` where nothing is claimed.
+    /// Returns the worst errors of lines that start at a latitude in degrees and are this many metres long,
+    /// or `None` where nothing is claimed.
     #[must_use]
     pub fn worst_errors(&self, lat: f64, distance: f64) -> Option<WorstErrors> {
         let [lat, distance] = [lat.abs(), distance.abs()];
@@ -60,8 +61,8 @@ pub enum Surface {
     Ellipsoid,
 }
 
-/// The worst errors of a method on some lines. There are three, in metres: of the distance, of the azimuths times
-/// the reduced length, and of the position in the direct problem.
+/// The worst errors of a method on some lines. There are three, in metres: of the distance, of the azimuths
+/// times the reduced length, and of the position in the direct problem.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct WorstErrors {
@@ -71,7 +72,7 @@ pub struct WorstErrors {
     pub distance: f64,
     /// In `f64`.
     pub double: [Linear; 3],
-    /// What `f32` adds.
+    /// The error that `f32` adds.
     pub single: [Linear; 3],
 }
 
@@ -93,7 +94,8 @@ impl Linear {
     }
 }
 
-/// Declares the [`Profile`] of a method as `PROFILE`, and its errors as a table for its documentation: `table!()`.
+/// Declares the [`Profile`] of a method as `PROFILE`, and its errors as a table for its documentation:
+/// `table!()`.
 ///
 /// An error is `[1e-3]` in metres, `[2e-9 s]` as part of the distance s, or `[2e-9 s + 1e-3]`.
 macro_rules! profile {
@@ -147,10 +149,13 @@ macro_rules! profile {
                     "|---|---|---|---|---|\n",
                     $(
                         $(
-                            "| ", $low, " to ", $high, "° | ", stringify!($km), " km | ", $crate::geodesic::profile::figure!(text $d1), " | ",
-                            $crate::geodesic::profile::figure!(text $d2), " | ", $crate::geodesic::profile::figure!(text $d3), " |\n",
+                            "| ", $low, " to ", $high, "° | ", stringify!($km), " km | ",
+                            $crate::geodesic::profile::figure!(text $d1), " | ",
+                            $crate::geodesic::profile::figure!(text $d2), " | ",
+                            $crate::geodesic::profile::figure!(text $d3), " |\n",
                         )*
-                        "| | `f32` adds | ", $crate::geodesic::profile::figure!(text $s1), " | ", $crate::geodesic::profile::figure!(text $s2), " | ",
+                        "| | `f32` adds | ", $crate::geodesic::profile::figure!(text $s1), " | ",
+                        $crate::geodesic::profile::figure!(text $s2), " | ",
                         $crate::geodesic::profile::figure!(text $s3), " |\n",
                     )*
                 )

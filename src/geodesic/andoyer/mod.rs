@@ -41,8 +41,8 @@ profile! {
 ///
 #[doc = table!()]
 ///
-/// Lines that go around any number of times reach the place to 1.5e-6 s. On other ellipsoids the error grows with f²; on a sphere it is that of
-/// [`GreatCircle`](super::GreatCircle).
+/// Lines that go around any number of times reach the place to 1.5e-6 s. On other ellipsoids the error grows
+/// with f²; on a sphere it is that of [`GreatCircle`](super::GreatCircle).
 ///
 /// ```
 /// use terrella::geodesic::{Andoyer, Geodesic};
