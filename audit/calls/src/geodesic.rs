@@ -1,7 +1,7 @@
 use terrella::Ellipsoid;
 use terrella::geodesic::{
-    Andoyer, AndoyerSecond, Area, Bowring, Flat, Geodesic, GreatCircle, Haversine, Karney, Line, Method, PlanarArea,
-    PlanarPolygon, PolygonArea, Vincenty, Visitor as MethodVisitor,
+    Andoyer, AndoyerSecond, Area, Bowring, Flat, Geodesic, GreatCircle, Haversine, Karney, Line, Linear, Method,
+    PlanarArea, PlanarPolygon, PolygonArea, Profile, Vincenty, Visitor as MethodVisitor,
 };
 
 use crate::{Arguments, Function, Scalar, Visitor};
@@ -13,26 +13,9 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
             solver.visit(Both(visitor, Method::name(method)));
         }
     }
-    let any_name = |arguments: &mut Arguments| {
-        let index = arguments.below(9) as usize;
-        METHODS.get(index).map_or("nothing", |method| method.name())
-    };
-    visitor.function::<T, _, _>("Method, by name", any_name, |name| name.parse().map(Method::name).ok());
-    visitor.function::<T, _, _>(
-        "Method::about",
-        |arguments| {
-            (
-                arguments.ellipsoid::<T>(),
-                arguments.pair::<T>(),
-                arguments.below(8) as usize,
-            )
-        },
-        |(ellipsoid, [from, to], index)| {
-            let method = METHODS.get(index).copied().unwrap_or(Method::Flat);
-            Method::about(method, ellipsoid, from)
-                .map(|method| (method.inverse(from, to), method.direct(from, to.lon(), to.lat())))
-        },
-    );
+    for &method in Method::ALL {
+        chosen::<T, V>(visitor, method);
+    }
     visitor.function::<T, _, _>("the methods' constructors", Arguments::ellipsoid::<T>, |e| {
         let spheres = (
             Haversine::new(e.a()).map(drop),
@@ -66,17 +49,25 @@ impl<T: Scalar, V: Visitor> MethodVisitor<T> for Both<'_, V> {
     }
 }
 
-/// Those that hold everywhere.
-const METHODS: [Method; 8] = [
-    Method::Haversine,
-    Method::GreatCircle,
-    Method::Flat,
-    Method::Bowring,
-    Method::Andoyer,
-    Method::AndoyerSecond,
-    Method::Vincenty,
-    Method::Karney,
-];
+/// A method that is chosen at run time.
+fn chosen<T: Scalar, V: Visitor>(visitor: &mut V, method: Method) {
+    let of = |what| Function::of(what, Method::name(method));
+    visitor.visit::<T, _, _>(
+        of("Method, by name"),
+        |_| Method::name(method),
+        |name| name.parse().map(Method::name).ok(),
+    );
+    let places = |arguments: &mut Arguments| (arguments.ellipsoid::<T>(), arguments.pair::<T>());
+    visitor.visit::<T, _, _>(of("Method::about"), places, |(ellipsoid, [from, to])| {
+        Method::about(method, ellipsoid, from)
+            .map(|method| (method.inverse(from, to), method.direct(from, to.lon(), to.lat())))
+    });
+    let line = |arguments: &mut Arguments| arguments.units::<f64, 2>();
+    visitor.visit::<T, _, _>(of("Method::profile"), line, |[lat, part]| {
+        let errors = Profile::worst_errors(Method::profile(method), 90.0 * lat, 2e7 * part);
+        errors.map(|errors| errors.double.map(|error| Linear::at(error, 2e7 * part)))
+    });
+}
 
 fn both<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M, name: &'static str) {
     let inverse = |name| Function::of("Geodesic::inverse", name);
