@@ -117,7 +117,14 @@ fn collect(path: &Path, room: &str, owners: &BTreeMap<String, String>, imports: 
             collect(&entry.unwrap().path(), room, owners, imports);
         }
     } else if path.extension().is_some_and(|extension| extension == "rs") {
-        for name in paths(&code(&fs::read_to_string(path).unwrap())) {
+        let text = code(&fs::read_to_string(path).unwrap());
+        let is_top = path.parent() == Some(&root().join("src")) || path.ends_with(Path::new(room).join("mod.rs"));
+        assert!(
+            !text.contains(if is_top { "super::" } else { "super::super" }),
+            "{}: write `crate::` in place of `super::`, so that the floor can be seen",
+            path.display()
+        );
+        for name in paths(&text) {
             let target = owners.get(&name).unwrap_or(&name);
             if target != room {
                 imports.entry(room.to_owned()).or_default().insert(target.clone());
