@@ -96,9 +96,9 @@ fn an_octagon_of_three_metres() {
     }
 }
 
-/// The README's: 7552 m² by the general way in `f32`, whose own corners enclose 7636.785.
+/// 7552 m² by the general way in `f32`, whose own corners enclose 7636.785.
 #[test]
-fn the_field_of_the_readme() {
+fn a_field_of_a_thousandth_of_a_degree() {
     let corners = [(52.0, 5.0), (52.0, 5.001), (52.001, 5.001), (52.001, 5.0)];
     let rounded = corners.map(|(lat, lon)| (f64::from(lat as f32), f64::from(lon as f32)));
     assert!((absolute::<f64>(&corners) - 7641.537).abs() < 0.001);

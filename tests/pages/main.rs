@@ -1,0 +1,6 @@
+//! What the pages README.md and ARCHITECTURE.md show: made here, and held.
+#![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // a test may fail loudly
+
+mod architecture;
+mod calls;
+mod cover;
