@@ -63,7 +63,7 @@
 //! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from the ellipsoid to the sphere |
 //! | [`cube`] | [`CubeMap`](cube::CubeMap), the projections, and the faces of the cube with their points |
 //! | [`healpix`] | standard HEALPix on the sphere: nested pixels and the plane |
-//! | [`geodesic`] | distances, azimuths, destinations and areas, by nine methods behind one trait |
+//! | [`geodesic`] | distances, azimuths, destinations and areas, all methods behind one trait |
 //! | [`distortion`] | how a projection distorts shapes, areas and texels, at a point and over whole faces |
 //! | [`terrain`] | tiles of the faces: addresses, neighbours, bounds, selection, vertices in `f32` |
 //! | [`scene`] | the cheapest method, scalar or level of tiles that keeps your tolerance |

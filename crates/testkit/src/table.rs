@@ -26,7 +26,7 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("Karney inverse to 150 km, relative to 1 m or more", "", [2e-9, 1e-6]),
     ("Karney inverse, azimuth times length", "m", [5e-9, 3.0]),
     ("Karney inverse, reduced length", "m", [8e-9, 3.0]),
-    ("Karney direct, position", "m", [1e-8, 4.0]),
+    ("Karney direct, position", "m", [1e-8, 5.5]),
     ("Karney direct, position after several circuits", "m", [2.6e-8, 12.0]),
     ("Karney area under a line", "m²", [0.1, 6e7]),
     ("Karney area under a line of less than 1000 km", "m²", [0.02, 2e5]),
