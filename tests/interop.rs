@@ -112,7 +112,7 @@ mod serde {
         refuses::<FacePoint<f64>>(r#"{"face":"roof","x":0,"y":0}"#, "unknown variant");
         refuses::<Tile>(r#"{"face":"top","level":31,"i":0,"j":0}"#, "level 31");
         refuses::<Tile>(r#"{"face":"top","level":2,"i":0,"j":4}"#, "row 4");
-        refuses::<Heights<f64>>(r#"{"low":2,"high":1}"#, "the lowest first, got 2.0 and 1.0");
+        refuses::<Heights<f64>>(r#"{"low":2,"high":1}"#, "low ≤ high, got 2.0 and 1.0");
         refuses::<Pixel>(r#"{"depth":1,"number":48}"#, "pixel 48");
         refuses::<Key<Morton>>(r#""f""#, "0xf000000000000000 is not the key of a tile");
         refuses::<Key<Morton>>("57", "expected the token of a tile");
