@@ -34,17 +34,20 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
             )
         },
     );
-    visitor.function::<T, _, _>(
-        "Projection::profile",
-        |arguments| arguments.below(64) as usize,
-        |index| {
-            Projection::ALL.get(index % Projection::ALL.len()).map(|&projection| {
-                let profile = Projection::profile(projection);
-                let formulas = [profile.forward, profile.inverse].map(|way| Formula::name(way.formula).len());
-                ([profile.area_ratio, profile.oversize], formulas)
-            })
-        },
-    );
+    // Figures of a profile are in double precision, whatever they are about.
+    if T::NAME == f64::NAME {
+        visitor.function::<f64, _, _>(
+            "Projection::profile",
+            |arguments| arguments.below(64) as usize,
+            |index| {
+                Projection::ALL.get(index % Projection::ALL.len()).map(|&projection| {
+                    let profile = Projection::profile(projection);
+                    let formulas = [profile.forward, profile.inverse].map(|way| Formula::name(way.formula).len());
+                    ([profile.area_ratio, profile.oversize], formulas)
+                })
+            },
+        );
+    }
     let two = Arguments::units::<T, 2>;
     visitor.function::<T, _, _>("Ellipsoid, from axes", two, |[a, b]| {
         (
