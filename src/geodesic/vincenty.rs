@@ -36,7 +36,7 @@ profile! {
     instructions: 1500,
     errors: {
         latitudes 0 to 90, f32 adds [7e-7 s] [7e-7 s] [5e-7 s + 2.0] {
-            10000 km: [1e-11 s + 5e-9] [1e-11 s + 5e-9] [1e-4];
+            10000 km: [1e-11 s + 5e-9] [1e-11 s + 5e-9] [1e-11 s + 5e-9];
         }
         latitudes 0 to 90, f32 adds [7.0] [7.0] [7.0] {
             20000 km: [1e-4] [1e-4] [1e-4];

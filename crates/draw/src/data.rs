@@ -9,5 +9,6 @@ pub fn file(name: &str) -> PathBuf {
 
 /// The folder `target/NAME` of the repository.
 pub fn target(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target").join(name)
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.ancestors().nth(2).unwrap_or(here).join("target").join(name)
 }

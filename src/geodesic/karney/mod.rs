@@ -21,7 +21,7 @@ profile! {
     good_to: "7 nm everywhere, 12 nm for f = 1/10; lines, scales, areas",
     instructions: 1100,
     errors: {
-        latitudes 0 to 90, f32 adds [1e-6 s + 1e-6] [1e-6 s + 1e-6] [1e-6 s + 2.0] {
+        latitudes 0 to 90, f32 adds [7e-7 s + 1e-6] [7e-7 s + 1e-6] [7e-7 s + 2.0] {
             4700 km: [7e-9] [5e-9] [1e-8];
         }
         latitudes 0 to 90, f32 adds [1.5e-7 s + 4.0] [1.5e-7 s + 4.0] [1.5e-7 s + 4.0] {
