@@ -74,6 +74,41 @@ fn properties_are_as_measured_and_shown() {
     generated::section("README.md", "| projection | keeps |", &table);
 }
 
+/// What a page says of when to take another projection compares the two. Its figures are those of their profiles.
+#[test]
+fn choices_are_made_by_the_figures_of_profiles() {
+    // The angle of creases, which `creases_are_where_they_should_be` holds.
+    let others = ["5"];
+    let mut compared = 0;
+    for &projection in Projection::ALL {
+        let file = format!("src/cube/projection/{}.rs", projection.profile().name.replace('-', "_"));
+        let source = std::fs::read_to_string(&file).unwrap();
+        let (_, rest) = source.split_once("choose: \"").unwrap();
+        let (choice, _) = rest.split_once("\",\n").unwrap();
+        let named = |other: &&Projection| **other == projection || choice.contains(&format!("[`{other:?}`]"));
+        let mut figures: Vec<String> = others.map(String::from).to_vec();
+        for other in Projection::ALL.iter().filter(named) {
+            let profile = other.profile();
+            let ratios = [profile.area_ratio, profile.aspect_ratio, profile.oversize];
+            figures.extend(ratios.map(|ratio| number(ratio, 3)));
+            figures.push(number(profile.deformation, 1));
+            figures.extend([profile.forward, profile.inverse].map(|e| e.instructions[0].to_string()));
+        }
+        // Not names as `S2Quadratic`, nor the 1 in `2.1 to 1`.
+        for word in choice.split(|c: char| !c.is_alphanumeric() && c != '.') {
+            let word = word.trim_end_matches('.');
+            if word.starts_with(|c: char| c.is_ascii_digit()) && word != "1" {
+                assert!(
+                    figures.iter().any(|figure| figure == word),
+                    "{projection}: {word} of {figures:?}"
+                );
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 40, "{compared} figures");
+}
+
 /// The table of methods, whose type is named by `link`.
 fn methods(link: impl Fn(Method) -> String) -> String {
     let mut table = String::from("| method | name | model | good to | instructions |\n|---|---|---|---|--:|\n");

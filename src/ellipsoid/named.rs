@@ -139,6 +139,8 @@ named! {
     GSK2011 "gsk2011" 6_378_136.5, 1.0 / 298.256_415_1;
     /// CGCS2000, of China (EPSG:1024): the size and shape of [`GRS80`](Self::GRS80).
     CGCS2000 "cgcs2000" 6_378_137.0, 1.0 / 298.257_222_101;
+    /// GRS 1980 Authalic Sphere, of global grids of equal area (EPSG:7048): a sphere of 6371.007 km.
+    GRS80_AUTHALIC_SPHERE "grs80-authalic-sphere" 6_371_007.0, 0.0;
     /// The Sun (IAU 2015): a sphere of 695 700 km.
     SUN "sun" 695_700_000.0, 0.0;
     /// Mercury (IAU 2015): a = 2440.53 km, b = 2438.26 km.

@@ -25,15 +25,12 @@ profile! {
 /// Delambre's analogies give half of the angle and both azimuths from the halves of the longitudes'
 /// difference and of the latitudes' difference and sum. They are products only, so that no digits are lost.
 ///
-/// | worst error | `f64` | `f32` |
-/// |---|---|---|
-/// | distance, relative, from 0 to the antipode | 8.0e-16 | 4.5e-7 |
-/// | azimuth × sine of the distance | 6.0e-16 rad | 3.5e-7 rad |
-/// | destination, up to half a circle away | 1.1e-15 rad | 6.0e-7 rad |
-/// | azimuth there × cosine of the latitude | 1.5e-15 rad | 8.0e-7 rad |
+/// Worst error on a sphere of 6400 km, in metres. It is proportional to the radius:
 ///
-/// Beyond half a circle the destination's error grows by 1e-16 (`f32`: 6e-8) of the distance. As a model of
-/// the Earth a sphere of any radius is up to 0.56 % wrong.
+#[doc = table!()]
+///
+/// The azimuth at the destination times the cosine of the latitude there is within 1.5e-15 (`f32`: 8e-7) rad.
+/// As a model of the Earth a sphere of any radius is up to 0.56 % wrong.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, GreatCircle};

@@ -32,13 +32,10 @@ profile! {
 /// between neighbours. Near the antipode 1 − sin²(σ/2) is lost to rounding, and with it half of the digits.
 /// [`GreatCircle`] costs no more and is exact there, too.
 ///
-/// | angle short of the antipode | worst error of the distance, `f64` | `f32` |
-/// |---|---|---|
-/// | more than 90° | 1.0e-15, relative | 5.0e-7, relative |
-/// | 10° | 6.6e-15 rad, 40 nm on the Earth | 3.6e-6 rad, 23 m |
-/// | 1° | 6.6e-14 rad, 0.4 µm | 3.6e-5 rad, 230 m |
-/// | 0.1° | 6.6e-13 rad, 4 µm | 3.7e-4 rad, 2.4 km |
-/// | 0 | 4.3e-8 rad, 0.3 m | 1.0e-3 rad, 6.4 km |
+/// Worst error on a sphere of 6400 km, in metres. It is proportional to the radius; 18 980 km end 10° short of
+/// the antipode:
+///
+#[doc = table!()]
 ///
 /// Azimuths and the direct problem are those of [`GreatCircle`]. The inverse problem never fails, and is
 /// never NaN.

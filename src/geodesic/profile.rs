@@ -149,7 +149,7 @@ macro_rules! profile {
                     "|---|---|---|---|---|\n",
                     $(
                         $(
-                            "| ", $low, " to ", $high, "° | ", stringify!($km), " km | ",
+                            "| ", $low, " to ", $high, "° | ", $crate::geodesic::profile::figure!(length $km), " | ",
                             $crate::geodesic::profile::figure!(text $d1), " | ",
                             $crate::geodesic::profile::figure!(text $d2), " | ",
                             $crate::geodesic::profile::figure!(text $d3), " |\n",
@@ -169,6 +169,12 @@ pub(super) use profile;
 macro_rules! figure {
     (text [$($figure:tt)*]) => {
         stringify!($($figure)*)
+    };
+    (length all) => {
+        "any"
+    };
+    (length $km:literal) => {
+        concat!($km, " km")
     };
     (metres all) => {
         f64::INFINITY

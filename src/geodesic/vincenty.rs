@@ -63,16 +63,12 @@ profile! {
 /// in 45 000, for 7 in 100 of those within 2° of the antipode, and for 73 in 100 within half a degree; for
 /// none that is more than 0.8° from it. If there is a result, it is the shortest line.
 ///
-/// | worst error of the results, f ≤ 1/293 | `f64` | `f32` |
-/// |---|---|---|
-/// | distance | 0.1 mm; 1e-11 of the distance and 5 nm | 7 m; 7e-7 of the distance |
-/// | azimuths × the shorter of distance and reduced length | as the distance | as the distance |
-/// | position of lines to 20 000 km | 0.1 mm | 7 m |
-/// | position of longer lines, and their azimuth × radius of the parallel | 6e-12 of the length | 3.5e-7 |
+/// Worst error of the results on an ellipsoid of the Earth's size and f ≤ 1/293, in metres:
 ///
-/// These are for an ellipsoid of the Earth's size; errors are proportional to the size. Where a cell has two
-/// bounds, both hold. A distance below 10⁻¹⁴³ m (`f32`: 10⁻¹² m) may be 0. Between opposite places the line
-/// starts to the north.
+#[doc = table!()]
+///
+/// Errors are proportional to the size. A distance below 10⁻¹⁴³ m (`f32`: 10⁻¹² m) may be 0. Between opposite
+/// places the line starts to the north.
 ///
 /// ```
 /// use terrella::geodesic::{Geodesic, GeodesicError, Vincenty};

@@ -34,11 +34,9 @@ profile! {
 ///
 /// C. F. F. Karney, *Algorithms for geodesics*, J. Geodesy 87 (2013): what GeographicLib computes.
 ///
-/// | worst error on the Earth | `f64` | `f32` |
-/// |---|---|---|
-/// | distance | 7 nm | 4 m, and 1.5e-7 of the distance (between neighbours 1e-6) |
-/// | azimuths × the shorter of distance and reduced length | 5 nm | 4 m |
-/// | position of the direct problem, for a line once around | 10 nm | 4 m, and 1.5e-7 of the distance |
+/// Worst error on the Earth, in metres:
+///
+#[doc = table!()]
 ///
 /// For f = 1/10 and −1/150 all are within 12 nm. In `f32`, if the bracketed solver is needed, within 30 m
 /// between nearly antipodal places within 10⁻⁴ degrees of the equator.
