@@ -93,7 +93,8 @@
 //!   the Earth are in range.
 //! * **Geodesics** return [`GeodesicError`](geodesic::GeodesicError) for an azimuth or a distance that is not
 //!   finite; [`Vincenty`](geodesic::Vincenty) also where it does not converge.
-//! * **Batches** refuse slices of unequal lengths, with [`InvalidBatch`](batch::InvalidBatch).
+//! * **Batches** refuse slices of unequal lengths, with [`InvalidBatch`](batch::InvalidBatch). Of elements that are
+//!   wrong they write NaN; they write all others, and return how many were wrong and which was the first.
 //! * **Scenes** return [`SceneError`](scene::SceneError) if nothing keeps the tolerance.
 //! * **Text**: [`str::parse`] returns an error that says what was expected.
 //!

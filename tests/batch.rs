@@ -1,8 +1,8 @@
-//! Over slices: the same bits as one by one, for every length and for special values; and refusals that write nothing.
+//! Over slices: the same bits as one by one, for every length and for special values, and all of them where some are refused.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)] // tests
 
-use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
-use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFacePoint, Projection, QuadCube};
+use terrella::batch::{self, InvalidBatch, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
+use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, Projection, QuadCube};
 use terrella::geodesic::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, Method, Vincenty, Visitor};
 use terrella::latitude::{Conversion, InvalidLatitude};
 use terrella::{
@@ -240,13 +240,16 @@ fn every_geodesic<T: Scalar, M: Geodesic<T>>(method: &M) {
                 let here = LatLon::new(lat1[i], lon1[i]).unwrap();
                 (here, LatLon::new(lat2[i], lon2[i]).unwrap())
             };
-            let first = (0..lat1.len()).find_map(|index| {
+            let refused = (0..lat1.len()).filter_map(|index| {
                 let (from, to) = places(index);
                 let why = method.inverse(from, to).err()?;
                 Some((index, InvalidProblem::Geodesic(why)))
             });
+            let refused: Vec<_> = refused.collect();
             let result = batch::geodesic::inverse(method, [lat1, lon1], [lat2, lon2], lines);
-            let expected = first.map_or(Ok(()), |(index, why)| Err(InvalidBatch::Element { index, why }));
+            let count = refused.len();
+            let first = refused.into_iter().next();
+            let expected = first.map_or(Ok(()), |(first, why)| Err(InvalidBatch::Elements { count, first, why }));
             assert_eq!(result, expected);
         },
     );
@@ -355,10 +358,6 @@ impl Geodesic<f64> for Fast {
         let found = found & (from.lat() > 0.0);
         (if found { line } else { nothing }, found)
     }
-
-    fn reach(&self) -> f64 {
-        1e7
-    }
 }
 
 #[test]
@@ -372,9 +371,9 @@ fn a_users_method_goes_through() {
         let mut ends = [[7.0; 3]; 3];
         let [a, b, c] = &mut ends;
         let refused = batch::geodesic::direct(method, [&[0.0; 3], &[0.0; 3]], &[1.0; 3], &[1e7, -3e9, 4e9], [a, b, c]);
-        let why = InvalidProblem::Geodesic(too_far);
-        assert_eq!(refused, Err(InvalidBatch::Element { index: 1, why }));
-        assert_eq!(ends, [[7.0; 3]; 3]);
+        let (count, first, why) = (2, 1, InvalidProblem::Geodesic(too_far));
+        assert_eq!(refused, Err(InvalidBatch::Elements { count, first, why }));
+        assert_eq!(ends.map(|column| column.map(f64::is_nan)), [[false, true, true]; 3]);
     }
     let sphere = GreatCircle::new(6.4e6).unwrap();
     by(&East(sphere));
@@ -385,13 +384,17 @@ fn a_users_method_goes_through() {
 fn geodesics_that_are_refused() {
     let earth = Karney::new(Ellipsoid::WGS84).unwrap();
     let refused = |lat, azimuth, distance| {
-        let mut ends = [[7.0]; 3];
+        let mut ends = [[7.0_f64]; 3];
         let [a, b, c] = &mut ends;
         let why = batch::geodesic::direct(&earth, [&[lat], &[0.0]], &[azimuth], &[distance], [a, b, c]).unwrap_err();
-        assert_eq!(ends, [[7.0]; 3]);
+        assert!(ends.as_flattened().iter().all(|end| end.is_nan()));
         why
     };
-    let element = |why| InvalidBatch::Element { index: 0, why };
+    let element = |why| InvalidBatch::Elements {
+        count: 1,
+        first: 0,
+        why,
+    };
     assert_eq!(
         refused(91.0, 0.0, 0.0),
         element(InvalidProblem::LatLon(InvalidLatLon::Latitude(91.0)))
@@ -578,7 +581,7 @@ fn not_kept<T: Scalar>() {
     let lon: Vec<T> = lon
         .iter()
         .enumerate()
-        .map(|(i, &lon)| lon * T::of((i % 5) as f64))
+        .map(|(i, &lon)| lon * T::of((i % 7) as f64))
         .collect();
     let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Conformal, Projection::Healpix).unwrap();
     compare(
@@ -612,7 +615,8 @@ fn what_the_constructors_change_is_changed() {
     not_kept::<f32>();
 }
 
-/// A batch with one bad element at `index`, or with a column that is too short, is refused and writes nothing.
+/// A batch writes all but bad elements, which are NaN and counted; with a column that is too short it writes
+/// nothing.
 fn refuse<T: Scalar, E: PartialEq + core::fmt::Debug, const I: usize, const O: usize>(
     good: [f64; I],
     bad: &[([f64; I], E)],
@@ -620,28 +624,44 @@ fn refuse<T: Scalar, E: PartialEq + core::fmt::Debug, const I: usize, const O: u
 ) {
     let mark = T::of(7.0);
     let columns = good.map(|value| vec![T::of(value); 200]);
+    let lent = |columns: &[Vec<T>; I], results: &mut [Vec<T>; O]| {
+        batch(
+            columns.each_ref().map(|c| &c[..]),
+            results.each_mut().map(|c| &mut c[..]),
+        )
+    };
+    let mut expected = [(); O].map(|()| vec![mark; 200]);
+    lent(&columns, &mut expected).unwrap();
     for (numbers, why) in bad {
-        for index in [0, 5, 63, 64, 150, 199] {
+        for places in [&[0][..], &[5], &[63, 64], &[7, 8, 150, 199], &[199]] {
             let mut columns = columns.clone();
-            // What follows is bad too; the first is reported.
-            for (column, value) in columns.iter_mut().zip(numbers) {
-                for slot in &mut column[index..] {
-                    *slot = T::of(*value);
+            for &index in places {
+                for (column, &value) in columns.iter_mut().zip(numbers) {
+                    column[index] = T::of(value);
                 }
             }
             let mut results = [(); O].map(|()| vec![mark; 200]);
-            let found = batch(
-                columns.each_ref().map(|c| &c[..]),
-                results.each_mut().map(|c| &mut c[..]),
-            );
-            match found {
-                Err(InvalidBatch::Element { index: at, why: found }) => {
-                    assert_eq!(at, index);
+            match lent(&columns, &mut results) {
+                Err(InvalidBatch::Elements {
+                    count,
+                    first,
+                    why: found,
+                }) => {
+                    assert_eq!((count, first), (places.len(), places[0]));
                     assert_eq!(format!("{found:?}"), format!("{why:?}"));
                 }
                 other => panic!("{other:?}"),
             }
-            assert!(results.iter().flatten().all(|&v| v == mark));
+            for index in 0..200 {
+                let is_bad = places.contains(&index);
+                let row = results.each_ref().map(|column| column[index].into());
+                if is_bad {
+                    // A column of faces has the front there.
+                    assert!(row.iter().all(|v| v.is_nan() || *v == 0.0) && row.iter().any(|v| v.is_nan()));
+                } else {
+                    assert_eq!(row, expected.each_ref().map(|column| column[index].into()));
+                }
+            }
         }
     }
     for short in 0..I + O {
@@ -680,8 +700,15 @@ fn every_refusal<T: Scalar + PartialEq>() {
         ([1.0, nan], InvalidLatLon::Longitude(of(nan))),
         ([1.0, -infinite], InvalidLatLon::Longitude(of(-infinite))),
     ];
-    let point = |[x, y]: [f64; 2]| ([0.0, x, y], InvalidFacePoint { x: of(x), y: of(y) });
-    let points = [[1.000_001, 0.0], [0.0, -2.0], [nan, 0.0], [0.5, nan]].map(point);
+    let point = |[x, y]: [f64; 2]| {
+        let why = InvalidPoint::Point(InvalidFacePoint { x: of(x), y: of(y) });
+        ([x, y, 1.0], why)
+    };
+    let mut points = [[1.000_001, 0.0], [0.0, -2.0], [nan, 0.0], [0.5, nan]]
+        .map(point)
+        .to_vec();
+    points.push(([0.0, 0.0, 6.0], InvalidPoint::Face(InvalidFace(6))));
+    points.push(([nan, 0.0, 255.0], InvalidPoint::Face(InvalidFace(255))));
     let shifted = Shifted::new(Ellipsoid::<T>::WGS84, Shift::Authalic).unwrap();
     let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, Projection::Vertex).unwrap();
     let earth = Ellipsoid::<T>::WGS84;
@@ -702,16 +729,11 @@ fn every_refusal<T: Scalar + PartialEq>() {
     refuse::<T, _, 2, 3>([1.0, 0.0], &places, |from, [face, x, y]| {
         with_faces(face, |faces| batch::map::project(&map, from, faces, [x, y]))
     });
-    // The points are the first slices here, the faces count as results.
-    let batch_of_points = |[x, y]: [&[T]; 2], [face, a, b, c]: [&mut [T]; 4]| {
-        with_faces(face, |faces| {
-            batch::cube::unproject(Projection::Vertex, faces, [x, y], [a, b, c])
-        })
-    };
-    let pairs: Vec<_> = points.iter().map(|&([_, x, y], why)| ([x, y], why)).collect();
-    refuse::<T, _, 2, 4>([0.5, 0.5], &pairs, batch_of_points);
-    refuse::<T, _, 2, 3>([0.5, 0.5], &pairs, |[x, y], [face, a, b]| {
-        with_faces(face, |faces| batch::map::unproject(&map, faces, [x, y], [a, b]))
+    refuse::<T, _, 3, 3>([0.5, 0.5, 4.0], &points, |[x, y, numbers], to| {
+        batch::cube::unproject(Projection::Vertex, &bytes(numbers), [x, y], to)
+    });
+    refuse::<T, _, 3, 2>([0.5, 0.5, 4.0], &points, |[x, y, numbers], to| {
+        batch::map::unproject(&map, &bytes(numbers), [x, y], to)
     });
 
     let conversion = Conversion::new(earth, Latitude::Geodetic, Latitude::Authalic).unwrap();
@@ -750,18 +772,66 @@ fn every_refusal<T: Scalar + PartialEq>() {
     });
 }
 
-/// Faces in place of a column of numbers, which keeps its mark if they keep theirs.
+/// Bytes in place of a column of numbers.
+fn bytes<T: Scalar>(numbers: &[T]) -> Vec<u8> {
+    numbers.iter().map(|&number| number.into() as u8).collect()
+}
+
+/// Faces in place of a column of numbers.
 fn with_faces<T: Scalar, E>(column: &mut [T], work: impl FnOnce(&mut [Face]) -> Result<(), E>) -> Result<(), E> {
+    // The mark where nothing is written.
     let mut faces = vec![Face::Left; column.len()];
     let result = work(&mut faces);
-    if result.is_err() {
-        assert!(faces.iter().all(|&face| face == Face::Left));
+    for (slot, face) in column.iter_mut().zip(faces).filter(|(_, face)| *face != Face::Left) {
+        *slot = number(face);
     }
     result
 }
 
 #[test]
-fn refusals_write_nothing() {
+fn refused_elements_are_nan_and_counted() {
     every_refusal::<f64>();
     every_refusal::<f32>();
+}
+
+/// The same call with a number of elements, a bad one among them, against one by one.
+#[test]
+fn all_lengths() {
+    let [lat, lon] = places::<f64>();
+    let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Outerra).unwrap();
+    for length in 0..=200 {
+        let mut lat = lat[..length].to_vec();
+        // In the west, as 180 to 360.
+        let lon: Vec<f64> = lon[..length].iter().map(|lon| lon.rem_euclid(360.0)).collect();
+        let bad: Vec<usize> = [length / 2, length.wrapping_sub(1)]
+            .into_iter()
+            .filter(|i| i % 3 == 1)
+            .collect();
+        for &index in bad.iter().filter(|&&index| index < length) {
+            lat[index] = f64::NAN;
+        }
+        let (mut faces, mut x, mut y) = (vec![9; length], vec![7.0; length], vec![7.0; length]);
+        let found = batch::map::project(&map, [&lat, &lon], &mut faces, [&mut x, &mut y]);
+        let mut refused = Vec::new();
+        for index in 0..length {
+            match LatLon::new(lat[index], lon[index]) {
+                Ok(place) => {
+                    let point = map.project(place);
+                    let expected = (point.face().index(), point.x().to_bits(), point.y().to_bits());
+                    assert_eq!((faces[index], x[index].to_bits(), y[index].to_bits()), expected);
+                }
+                Err(_) => {
+                    assert!(faces[index] == 0 && x[index].is_nan() && y[index].is_nan());
+                    refused.push(index);
+                }
+            }
+        }
+        match (found, refused.first()) {
+            (Ok(()), None) => {}
+            (Err(InvalidBatch::Elements { count, first, .. }), Some(&index)) => {
+                assert_eq!((count, first), (refused.len(), index));
+            }
+            other => panic!("{length}: {other:?}"),
+        }
+    }
 }

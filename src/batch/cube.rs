@@ -1,135 +1,138 @@
 //! Converts directions to points of the cube's faces, and back, by any [`CubeProjection`].
 
-use super::InvalidBatch;
-use super::admit::{Constructor, admit};
+use core::fmt;
+
+use super::engine::solve_by;
 use super::face_mask::FaceMask;
+use super::face_number::Faces;
 use super::position::Vectors;
-use crate::cube::{CubeProjection, Face, FacePoint, InvalidFacePoint, ProjectionTask, on_face};
-use crate::simd::{BLOCK, Kernel, Sink, Source, block, front, store, sweep};
+use super::{FaceNumber, InvalidBatch};
+use crate::cube::{CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, ProjectionTask, on_face};
+use crate::simd::{Behind, Door, Kernel, Tally, lanes};
 use crate::{Direction, InvalidDirection, Real};
 
-/// Coordinates on a face.
+/// Why a point of the cube was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum InvalidPoint<T> {
+    /// [`Face::from_index`] refuses the number of the face.
+    Face(InvalidFace),
+    /// [`FacePoint::new`] refuses x or y.
+    Point(InvalidFacePoint<T>),
+}
+
+impl<T: fmt::Debug> fmt::Display for InvalidPoint<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Face(why) => why.fmt(f),
+            Self::Point(why) => why.fmt(f),
+        }
+    }
+}
+
+impl<T: fmt::Debug> core::error::Error for InvalidPoint<T> {}
+
+/// The coordinates and the number of a face.
+pub(super) type Point<T> = ([T; 2], T);
+
+/// Coordinates on a face, and its number.
 pub(super) struct Points;
 
-impl<T: Real> Constructor<T, 2> for Points {
-    type Error = InvalidFacePoint<T>;
+impl<T: Real> Door<Point<T>> for Points {
+    type Error = InvalidPoint<T>;
 
     #[inline(always)]
-    fn keeps(&self, [x, y]: [T; 2]) -> bool {
-        (x.abs() <= T::ONE) & (y.abs() <= T::ONE)
+    fn keeps(&self, ([x, y], number): Point<T>) -> bool {
+        (x.abs() <= T::ONE) & (y.abs() <= T::ONE) & (number <= T::of(5.0))
     }
 
-    fn admit(&self, [x, y]: [T; 2]) -> Result<[T; 2], Self::Error> {
-        FacePoint::new(Face::Front, x, y).map(|_| [x, y])
+    fn admit(&self, point: Point<T>) -> Result<Point<T>, Self::Error> {
+        face_point(point).map(|_| point)
     }
+}
+
+/// The point, if there is one.
+pub(super) fn face_point<T: Real>(([x, y], number): Point<T>) -> Result<FacePoint<T>, InvalidPoint<T>> {
+    let face = Face::from_index(number.to_byte()).map_err(InvalidPoint::Face)?;
+    FacePoint::new(face, x, y).map_err(InvalidPoint::Point)
+}
+
+/// The number of a point's face, and its coordinates.
+pub(super) fn numbered<T: Real>(point: FacePoint<T>) -> (T, [T; 2]) {
+    (T::from_byte(point.face().index()), [point.x(), point.y()])
 }
 
 struct Project<P>(P);
 
-impl<T: Real, P: CubeProjection> Kernel<T, 3, 3> for Project<P> {
+impl<T: Real, P: CubeProjection> Kernel<[T; 3]> for Project<P> {
+    type Output = (T, [T; 2]);
+
     #[inline(always)]
-    fn apply(&self, [x, y, z]: [T; 3]) -> [T; 3] {
+    fn apply(&self, [x, y, z]: [T; 3]) -> (T, [T; 2]) {
         let facing = FaceMask::toward(self.0.is_polar(Direction::within(x, y, z)), [x, y, z]);
         let number = facing.number();
-        let [x, y] = on_face(self.0.forward(Face::of_number(number), facing.to_local([x, y, z])));
-        [number, x, y]
+        let local = facing.to_local([x, y, z]);
+        (number, on_face(self.0.forward(Face::of_number(number), local)))
     }
 }
 
 struct Unproject<P>(P);
 
-impl<T: Real, P: CubeProjection> Kernel<T, 3, 3> for Unproject<P> {
+impl<T: Real, P: CubeProjection> Kernel<Point<T>> for Unproject<P> {
+    type Output = [T; 3];
+
     #[inline(always)]
-    fn apply(&self, [number, x, y]: [T; 3]) -> [T; 3] {
-        FaceMask::of(number).to_earth(self.0.inverse(Face::of_number(number), [x, y]))
+    fn apply(&self, (point, number): Point<T>) -> [T; 3] {
+        FaceMask::of(number).to_earth(self.0.inverse(Face::of_number(number), point))
     }
 }
 
-/// Points of faces as a source and a sink. The face becomes a column of numbers.
-pub(super) struct Faces<F, C> {
-    pub(super) faces: F,
-    pub(super) points: C,
+/// [`project`] in lanes.
+pub(super) struct ProjectInLanes<'a, 't, T, F> {
+    pub(super) vectors: Vectors,
+    pub(super) directions: [&'a [T]; 3],
+    pub(super) points: (Faces<&'a mut [F], T>, [&'a mut [T]; 2]),
+    pub(super) tally: &'t mut Tally<InvalidDirection<T>>,
 }
 
-impl<'s, T: Real> Source<'s, T, 3> for Faces<&'s [Face], [&'s [T]; 2]> {
-    #[inline(always)]
-    fn is_empty(&self) -> bool {
-        self.faces.is_empty()
-    }
-
-    #[inline(always)]
-    fn next<'a>(&mut self, [numbers, x, y]: &'a mut [[T; BLOCK]; 3]) -> [&'a [T; BLOCK]; 3]
-    where
-        's: 'a,
-    {
-        let mut spare = [Face::Front; BLOCK];
-        let here = block(&mut self.faces, &mut spare);
-        for (slot, &face) in numbers.iter_mut().zip(here) {
-            *slot = T::from_byte(face.index());
-        }
-        let [px, py] = &mut self.points;
-        [numbers, block(px, x), block(py, y)]
-    }
-}
-
-impl<T: Real> Sink<T, 3> for Faces<&mut [Face], [&mut [T]; 2]> {
-    #[inline(always)]
-    fn store(&mut self, [numbers, x, y]: &[[T; BLOCK]; 3]) {
-        store(&mut self.faces, &numbers.map(Face::of_number));
-        let [px, py] = &mut self.points;
-        store(px, x);
-        store(py, y);
-    }
-}
-
-/// Projects directions into faces and points.
-struct ProjectAll<'a, T>([&'a [T]; 3], Faces<&'a mut [Face], [&'a mut [T]; 2]>);
-
-impl<T: Real> ProjectionTask for ProjectAll<'_, T> {
+impl<T: Real, F: FaceNumber> ProjectionTask for ProjectInLanes<'_, '_, T, F> {
     type Output = ();
 
     fn run<P: CubeProjection>(self, projection: P) {
-        sweep(Project(projection), self.0, self.1);
+        lanes(
+            Behind(self.vectors, Project(projection)),
+            self.directions,
+            self.points,
+            self.tally,
+        );
     }
 }
 
-/// Unprojects faces and points into directions.
-struct UnprojectAll<'a, T>(Faces<&'a [Face], [&'a [T]; 2]>, [&'a mut [T]; 3]);
+/// [`unproject`] in lanes.
+pub(super) struct UnprojectInLanes<'a, 't, T, F> {
+    pub(super) points: ([&'a [T]; 2], Faces<&'a [F], T>),
+    pub(super) directions: [&'a mut [T]; 3],
+    pub(super) tally: &'t mut Tally<InvalidPoint<T>>,
+}
 
-impl<T: Real> ProjectionTask for UnprojectAll<'_, T> {
+impl<T: Real, F: FaceNumber> ProjectionTask for UnprojectInLanes<'_, '_, T, F> {
     type Output = ();
 
     fn run<P: CubeProjection>(self, projection: P) {
-        sweep(Unproject(projection), self.0, self.1);
+        lanes(
+            Behind(Points, Unproject(projection)),
+            self.points,
+            self.directions,
+            self.tally,
+        );
     }
-}
-
-/// [`project`] for directions that have passed [`Vectors`].
-pub(super) fn project_units<T: Real, P: CubeProjection>(
-    projection: P,
-    directions: [&[T]; 3],
-    faces: &mut [Face],
-    points: [&mut [T]; 2],
-) {
-    projection.with(ProjectAll(directions, Faces { faces, points }));
-}
-
-/// [`unproject`] for points that have passed [`Points`].
-pub(super) fn unproject_points<T: Real, P: CubeProjection>(
-    projection: P,
-    faces: &[Face],
-    points: [&[T]; 2],
-    directions: [&mut [T]; 3],
-) {
-    projection.with(UnprojectAll(Faces { faces, points }, directions));
 }
 
 /// Projects vectors of any length to faces and their coordinates x and y in [−1, 1], with the bits of
 /// [`CubeProjection::project`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`Direction::new`] refuses an element. Nothing is
-/// written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Direction::new`] refuses an element.
 ///
 /// ```
 /// use terrella::batch::cube;
@@ -139,26 +142,32 @@ pub(super) fn unproject_points<T: Real, P: CubeProjection>(
 /// assert_eq!((face[0], x[0], y[0]), (Face::Right, 0.0, 1.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn project<T: Real, P: CubeProjection>(
+pub fn project<T: Real, P: CubeProjection, F: FaceNumber>(
     projection: P,
     directions: [&[T]; 3],
-    faces: &mut [Face],
-    mut points: [&mut [T]; 2],
+    faces: &mut [F],
+    points: [&mut [T]; 2],
 ) -> Result<(), InvalidBatch<InvalidDirection<T>>> {
-    let lengths = [faces.len(), points[0].len(), points[1].len()];
-    let mut faces = [faces];
-    admit(&Vectors, directions, &lengths, |length, directions| {
-        let [faces] = front(&mut faces, length);
-        project_units(projection, directions, faces, front(&mut points, length));
-    })
+    solve_by(
+        directions,
+        (Faces::new(faces), points),
+        |[x, y, z]| Ok(numbered(projection.project(Direction::new(x, y, z)?))),
+        |directions, points, tally| {
+            projection.with(ProjectInLanes {
+                vectors: Vectors { known: false },
+                directions,
+                points,
+                tally,
+            });
+        },
+    )
 }
 
 /// Converts faces and their coordinates x and y in [−1, 1] to unit vectors, with the bits of
 /// [`CubeProjection::unproject`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`FacePoint::new`] refuses an element. Nothing is
-/// written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`FacePoint::new`] refuses an element.
 ///
 /// ```
 /// use terrella::batch::cube;
@@ -168,15 +177,22 @@ pub fn project<T: Real, P: CubeProjection>(
 /// assert_eq!((x[0], y[0], z[0]), (-1.0, 0.0, 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn unproject<T: Real, P: CubeProjection>(
+pub fn unproject<T: Real, P: CubeProjection, F: FaceNumber>(
     projection: P,
-    faces: &[Face],
+    faces: &[F],
     points: [&[T]; 2],
-    mut directions: [&mut [T]; 3],
-) -> Result<(), InvalidBatch<InvalidFacePoint<T>>> {
-    let [x, y, z] = directions.each_ref().map(|column| column.len());
-    // A point is accepted without a change or refused: `work` is called once, with all of them.
-    admit(&Points, points, &[faces.len(), x, y, z], |length, points| {
-        unproject_points(projection, faces, points, front(&mut directions, length));
-    })
+    directions: [&mut [T]; 3],
+) -> Result<(), InvalidBatch<InvalidPoint<T>>> {
+    solve_by(
+        (points, Faces::new(faces)),
+        directions,
+        |point| Ok(projection.unproject(face_point(point)?).to_array()),
+        |points, directions, tally| {
+            projection.with(UnprojectInLanes {
+                points,
+                directions,
+                tally,
+            });
+        },
+    )
 }

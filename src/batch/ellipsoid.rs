@@ -3,9 +3,8 @@
 use core::fmt;
 
 use super::InvalidBatch;
-use super::admit::{Constructor, admit};
-use crate::math::select;
-use crate::simd::{BLOCK, Kernel, Sink, front, store, sweep};
+use super::engine::{solve, solve_by};
+use crate::simd::{Behind, Door, Element, Kernel, lanes};
 use crate::{Ecef, Ellipsoid, Geodetic, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon, Real};
 
 /// Why an element with a latitude, a longitude and a height was refused.
@@ -32,12 +31,17 @@ impl<T: fmt::Debug> core::error::Error for InvalidGeodetic<T> {}
 /// Latitudes, longitudes and heights.
 struct Geodetics;
 
-impl<T: Real> Constructor<T, 3> for Geodetics {
+impl<T: Real> Door<[T; 3]> for Geodetics {
     type Error = InvalidGeodetic<T>;
 
     #[inline(always)]
     fn keeps(&self, [lat, lon, height]: [T; 3]) -> bool {
         (lat.abs() <= T::of(90.0)) & (lon.abs() <= T::of(180.0)) & height.is_finite()
+    }
+
+    #[inline(always)]
+    fn mend(&self, [lat, lon, height]: [T; 3]) -> [T; 3] {
+        [lat, LatLon::turned(lon), height]
     }
 
     fn admit(&self, [lat, lon, height]: [T; 3]) -> Result<[T; 3], Self::Error> {
@@ -47,25 +51,11 @@ impl<T: Real> Constructor<T, 3> for Geodetics {
     }
 }
 
-/// Earth-centred coordinates.
-struct Ecefs;
-
-impl<T: Real> Constructor<T, 3> for Ecefs {
-    type Error = InvalidEcef<T>;
-
-    #[inline(always)]
-    fn keeps(&self, [x, y, z]: [T; 3]) -> bool {
-        x.is_finite() & y.is_finite() & z.is_finite()
-    }
-
-    fn admit(&self, [x, y, z]: [T; 3]) -> Result<[T; 3], Self::Error> {
-        Ecef::new(x, y, z).map(Ecef::to_array)
-    }
-}
-
 struct ToEcef<T>(Ellipsoid<T>);
 
-impl<T: Real> Kernel<T, 3, 3> for ToEcef<T> {
+impl<T: Real> Kernel<[T; 3]> for ToEcef<T> {
+    type Output = [T; 3];
+
     #[inline(always)]
     fn apply(&self, [lat, lon, height]: [T; 3]) -> [T; 3] {
         self.0
@@ -74,58 +64,34 @@ impl<T: Real> Kernel<T, 3, 3> for ToEcef<T> {
     }
 }
 
-/// The formula without branches, and 1 for the points for which it holds.
+/// The formula without branches; the other points are computed one by one.
+#[derive(Clone, Copy)]
 struct ToGeodetic<T>(Ellipsoid<T>);
 
-impl<T: Real> Kernel<T, 3, 4> for ToGeodetic<T> {
+impl<T: Real> Element<[T; 3]> for ToGeodetic<T> {
+    type Output = [T; 3];
+    type Error = InvalidEcef<T>;
+
     #[inline(always)]
-    fn apply(&self, [x, y, z]: [T; 3]) -> [T; 4] {
+    fn keeps(&self, [x, y, z]: [T; 3]) -> bool {
+        x.is_finite() & y.is_finite() & z.is_finite()
+    }
+
+    #[inline(always)]
+    fn mend(&self, point: [T; 3]) -> [T; 3] {
+        point
+    }
+
+    #[inline(always)]
+    fn fast(&self, [x, y, z]: [T; 3]) -> ([T; 3], bool) {
         let point = Ecef::within(x, y, z);
         let place = self.0.to_geodetic_ordinary(point);
-        let ordinary = select(self.0.is_ordinary(point), T::ONE, T::ZERO);
-        [place.lat(), place.lon(), place.height(), ordinary]
+        ([place.lat(), place.lon(), place.height()], self.0.is_ordinary(point))
     }
-}
 
-/// Stores places. Those for which the formula without branches does not hold are computed again.
-struct Mended<'a, T> {
-    ellipsoid: Ellipsoid<T>,
-    points: [&'a [T]; 3],
-    places: [&'a mut [T]; 3],
-}
-
-impl<T: Real> Sink<T, 4> for Mended<'_, T> {
-    #[inline(always)]
-    fn store(&mut self, [lat, lon, height, ordinary]: &[[T; BLOCK]; 4]) {
-        if ordinary.iter().fold(true, |all, &flag| all & (flag == T::ONE)) {
-            let [a, b, c] = &mut self.places;
-            store(a, lat);
-            store(b, lon);
-            store(c, height);
-            for column in &mut self.points {
-                *column = column.get(BLOCK..).unwrap_or_default();
-            }
-        } else {
-            self.mend([lat, lon, height], ordinary);
-        }
-    }
-}
-
-impl<T: Real> Mended<'_, T> {
-    #[cold]
-    #[inline(never)]
-    fn mend(&mut self, [lat, lon, height]: [&[T; BLOCK]; 3], ordinary: &[T; BLOCK]) {
-        let (mut lat, mut lon, mut height) = (*lat, *lon, *height);
-        let [x, y, z] = self.points;
-        let points = x.iter().zip(y).zip(z);
-        let places = lat.iter_mut().zip(&mut lon).zip(&mut height);
-        for ((((x, y), z), ((lat, lon), height)), ordinary) in points.zip(places).zip(ordinary) {
-            if *ordinary != T::ONE {
-                let place = self.ellipsoid.to_geodetic(Ecef::within(*x, *y, *z));
-                (*lat, *lon, *height) = (place.lat(), place.lon(), place.height());
-            }
-        }
-        self.store(&[lat, lon, height, [T::ONE; BLOCK]]);
+    fn one(&self, [x, y, z]: [T; 3]) -> Result<[T; 3], InvalidEcef<T>> {
+        let place = self.0.to_geodetic(Ecef::new(x, y, z)?);
+        Ok([place.lat(), place.lon(), place.height()])
     }
 }
 
@@ -134,7 +100,7 @@ impl<T: Real> Mended<'_, T> {
 ///
 /// # Errors
 /// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or [`Geodetic::new`] refuses an
-/// element. Nothing is written then.
+/// element.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::ellipsoid};
@@ -148,12 +114,18 @@ impl<T: Real> Mended<'_, T> {
 pub fn to_ecef<T: Real>(
     ellipsoid: Ellipsoid<T>,
     places: [&[T]; 3],
-    mut points: [&mut [T]; 3],
+    points: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidGeodetic<T>>> {
-    let lengths = points.each_ref().map(|column| column.len());
-    admit(&Geodetics, places, &lengths, |length, places| {
-        sweep(ToEcef(ellipsoid), places, front(&mut points, length));
-    })
+    solve_by(
+        places,
+        points,
+        |place| {
+            let [lat, lon, height] = Geodetics.admit(place)?;
+            let place = Geodetic::within(LatLon::within(lat, lon), height);
+            Ok(ellipsoid.to_ecef(place).to_array())
+        },
+        |places, points, tally| lanes(Behind(Geodetics, ToEcef(ellipsoid)), places, points, tally),
+    )
 }
 
 /// Converts Earth-centred coordinates in metres to geodetic latitudes and longitudes in degrees and heights
@@ -162,8 +134,7 @@ pub fn to_ecef<T: Real>(
 /// Points near the centre, on the axis and very far away take its slower way, one by one.
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`Ecef::new`] refuses an element. Nothing is written
-/// then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Ecef::new`] refuses an element.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::ellipsoid};
@@ -177,19 +148,7 @@ pub fn to_ecef<T: Real>(
 pub fn to_geodetic<T: Real>(
     ellipsoid: Ellipsoid<T>,
     points: [&[T]; 3],
-    mut places: [&mut [T]; 3],
+    places: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidEcef<T>>> {
-    let lengths = places.each_ref().map(|column| column.len());
-    admit(&Ecefs, points, &lengths, |length, points| {
-        let places = front(&mut places, length);
-        sweep(
-            ToGeodetic(ellipsoid),
-            points,
-            Mended {
-                ellipsoid,
-                points,
-                places,
-            },
-        );
-    })
+    solve(ToGeodetic(ellipsoid), points, places)
 }

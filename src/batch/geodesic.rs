@@ -3,10 +3,10 @@
 use core::fmt;
 
 use super::InvalidBatch;
-use super::admit::{Constructor, admit};
+use super::engine::solve;
+use super::position::Places;
 use crate::geodesic::{Geodesic, GeodesicError};
-use crate::math::select;
-use crate::simd::{BLOCK, Kernel, Sink, front, store, sweep};
+use crate::simd::{Door, Element};
 use crate::{InvalidLatLon, LatLon, Real};
 
 /// Why an element of a geodesic problem was refused.
@@ -30,17 +30,10 @@ impl<T: fmt::Debug + fmt::Display> fmt::Display for InvalidProblem<T> {
 
 impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidProblem<T> {}
 
-/// The inverse or the direct problem, by one method: from four numbers to three.
-trait Problem<T: Real>: Copy {
-    /// Three numbers by the method's fast way, and whether they are the answer.
-    fn fast(&self, input: [T; 4]) -> ([T; 3], bool);
-
-    /// The answer for numbers that have passed the constructor.
-    fn solve(&self, input: [T; 4]) -> Result<[T; 3], GeodesicError<T>>;
-}
-
+/// From latitude, longitude, latitude, longitude to distance and azimuths.
 struct Inverse<'a, M>(&'a M);
 
+/// From latitude, longitude, azimuth, distance to latitude, longitude, azimuth.
 struct Direct<'a, M>(&'a M);
 
 impl<M> Clone for Inverse<'_, M> {
@@ -59,7 +52,24 @@ impl<M> Clone for Direct<'_, M> {
 
 impl<M> Copy for Direct<'_, M> {}
 
-impl<T: Real, M: Geodesic<T>> Problem<T> for Inverse<'_, M> {
+fn place<T: Real>(lat: T, lon: T) -> Result<LatLon<T>, InvalidProblem<T>> {
+    LatLon::new(lat, lon).map_err(InvalidProblem::LatLon)
+}
+
+impl<T: Real, M: Geodesic<T>> Element<[T; 4]> for Inverse<'_, M> {
+    type Output = [T; 3];
+    type Error = InvalidProblem<T>;
+
+    #[inline(always)]
+    fn keeps(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> bool {
+        Places.keeps([lat1, lon1]) & Places.keeps([lat2, lon2])
+    }
+
+    #[inline(always)]
+    fn mend(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> [T; 4] {
+        [lat1, LatLon::turned(lon1), lat2, LatLon::turned(lon2)]
+    }
+
     #[inline(always)]
     fn fast(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> ([T; 3], bool) {
         let (line, found) = self
@@ -68,155 +78,37 @@ impl<T: Real, M: Geodesic<T>> Problem<T> for Inverse<'_, M> {
         ([line.distance, line.azimuth1, line.azimuth2], found)
     }
 
-    fn solve(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> Result<[T; 3], GeodesicError<T>> {
-        let line = self.0.inverse(LatLon::within(lat1, lon1), LatLon::within(lat2, lon2))?;
+    fn one(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> Result<[T; 3], InvalidProblem<T>> {
+        let (from, to) = (place(lat1, lon1)?, place(lat2, lon2)?);
+        let line = self.0.inverse(from, to).map_err(InvalidProblem::Geodesic)?;
         Ok([line.distance, line.azimuth1, line.azimuth2])
     }
 }
 
-impl<T: Real, M: Geodesic<T>> Problem<T> for Direct<'_, M> {
+impl<T: Real, M: Geodesic<T>> Element<[T; 4]> for Direct<'_, M> {
+    type Output = [T; 3];
+    type Error = InvalidProblem<T>;
+
+    #[inline(always)]
+    fn keeps(&self, [lat, lon, azimuth, distance]: [T; 4]) -> bool {
+        Places.keeps([lat, lon]) & azimuth.is_finite() & distance.is_finite()
+    }
+
+    #[inline(always)]
+    fn mend(&self, [lat, lon, azimuth, distance]: [T; 4]) -> [T; 4] {
+        [lat, LatLon::turned(lon), azimuth, distance]
+    }
+
     #[inline(always)]
     fn fast(&self, [lat, lon, azimuth, distance]: [T; 4]) -> ([T; 3], bool) {
         let (end, found) = self.0.fast_direct(LatLon::within(lat, lon), azimuth, distance);
         ([end.position.lat(), end.position.lon(), end.azimuth], found)
     }
 
-    fn solve(&self, [lat, lon, azimuth, distance]: [T; 4]) -> Result<[T; 3], GeodesicError<T>> {
-        let end = self.0.direct(LatLon::within(lat, lon), azimuth, distance)?;
+    fn one(&self, [lat, lon, azimuth, distance]: [T; 4]) -> Result<[T; 3], InvalidProblem<T>> {
+        let end = self.0.direct(place(lat, lon)?, azimuth, distance);
+        let end = end.map_err(InvalidProblem::Geodesic)?;
         Ok([end.position.lat(), end.position.lon(), end.azimuth])
-    }
-}
-
-/// The numbers of [`Problem::fast`], and 1 where they are the answer.
-struct Fast<P>(P);
-
-impl<T: Real, P: Problem<T>> Kernel<T, 4, 4> for Fast<P> {
-    #[inline(always)]
-    fn apply(&self, input: [T; 4]) -> [T; 4] {
-        let ([a, b, c], found) = self.0.fast(input);
-        [a, b, c, select(found, T::ONE, T::ZERO)]
-    }
-}
-
-/// Stores answers. Problems without a fast answer are solved one by one.
-struct Mended<'a, T, P> {
-    problem: P,
-    index: usize,
-    inputs: [&'a [T]; 4],
-    results: [&'a mut [T]; 3],
-    /// The first problem without an answer.
-    refused: &'a mut Option<(usize, GeodesicError<T>)>,
-}
-
-impl<T: Real, P: Problem<T>> Sink<T, 4> for Mended<'_, T, P> {
-    #[inline(always)]
-    fn store(&mut self, [a, b, c, found]: &[[T; BLOCK]; 4]) {
-        if found.iter().fold(true, |all, &flag| all & (flag == T::ONE)) {
-            let [x, y, z] = &mut self.results;
-            store(x, a);
-            store(y, b);
-            store(z, c);
-            for column in &mut self.inputs {
-                *column = column.get(BLOCK..).unwrap_or_default();
-            }
-            self.index += BLOCK;
-        } else {
-            self.mend([a, b, c], found);
-        }
-    }
-}
-
-impl<T: Real, P: Problem<T>> Mended<'_, T, P> {
-    #[cold]
-    #[inline(never)]
-    fn mend(&mut self, [a, b, c]: [&[T; BLOCK]; 3], found: &[T; BLOCK]) {
-        let (mut a, mut b, mut c) = (*a, *b, *c);
-        let [i1, i2, i3, i4] = self.inputs;
-        let inputs = i1.iter().zip(i2).zip(i3).zip(i4);
-        let results = a.iter_mut().zip(&mut b).zip(&mut c);
-        for (offset, (((((i1, i2), i3), i4), ((a, b), c)), found)) in inputs.zip(results).zip(found).enumerate() {
-            if *found != T::ONE {
-                match self.problem.solve([*i1, *i2, *i3, *i4]) {
-                    Ok(answer) => [*a, *b, *c] = answer,
-                    Err(why) => {
-                        [*a, *b, *c] = [T::of(f64::NAN); 3];
-                        *self.refused = self.refused.or(Some((self.index + offset, why)));
-                    }
-                }
-            }
-        }
-        self.store(&[a, b, c, [T::ONE; BLOCK]]);
-    }
-}
-
-/// Two places.
-struct Pairs;
-
-impl<T: Real> Constructor<T, 4> for Pairs {
-    type Error = InvalidProblem<T>;
-
-    #[inline(always)]
-    fn keeps(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> bool {
-        let (quarter, half) = (T::of(90.0), T::of(180.0));
-        (lat1.abs() <= quarter) & (lon1.abs() <= half) & (lat2.abs() <= quarter) & (lon2.abs() <= half)
-    }
-
-    fn admit(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> Result<[T; 4], Self::Error> {
-        let from = LatLon::new(lat1, lon1).map_err(InvalidProblem::LatLon)?;
-        let to = LatLon::new(lat2, lon2).map_err(InvalidProblem::LatLon)?;
-        Ok([from.lat(), from.lon(), to.lat(), to.lon()])
-    }
-}
-
-/// A place, an azimuth and a distance.
-struct Starts<'a, M>(&'a M);
-
-impl<T: Real, M: Geodesic<T>> Constructor<T, 4> for Starts<'_, M> {
-    type Error = InvalidProblem<T>;
-
-    #[inline(always)]
-    fn keeps(&self, [lat, lon, azimuth, distance]: [T; 4]) -> bool {
-        (lat.abs() <= T::of(90.0))
-            & (lon.abs() <= T::of(180.0))
-            & azimuth.is_finite()
-            & (distance.abs() <= self.0.reach())
-    }
-
-    fn admit(&self, [lat, lon, azimuth, distance]: [T; 4]) -> Result<[T; 4], Self::Error> {
-        let from = LatLon::new(lat, lon).map_err(InvalidProblem::LatLon)?;
-        self.0
-            .direct(from, azimuth, distance)
-            .map_err(InvalidProblem::Geodesic)?;
-        Ok([from.lat(), from.lon(), azimuth, distance])
-    }
-}
-
-fn solve<T: Real, P: Problem<T>, D: Constructor<T, 4, Error = InvalidProblem<T>>>(
-    problem: P,
-    constructor: &D,
-    inputs: [&[T]; 4],
-    mut results: [&mut [T]; 3],
-) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
-    let lengths = results.each_ref().map(|column| column.len());
-    let mut refused = None;
-    let mut index = 0;
-    admit(constructor, inputs, &lengths, |length, inputs| {
-        let mended = Mended {
-            problem,
-            index,
-            inputs,
-            results: front(&mut results, length),
-            refused: &mut refused,
-        };
-        sweep(Fast(problem), inputs, mended);
-        index += length;
-    })?;
-    match refused {
-        Some((index, why)) => Err(InvalidBatch::Element {
-            index,
-            why: InvalidProblem::Geodesic(why),
-        }),
-        None => Ok(()),
     }
 }
 
@@ -228,9 +120,9 @@ fn solve<T: Real, P: Problem<T>, D: Constructor<T, 4, Error = InvalidProblem<T>>
 /// Pairs without a fast answer, most of them nearly antipodal, are solved one by one.
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses a place; nothing is written
-/// then. Also if the method has no answer for a pair, as [`Vincenty`](crate::geodesic::Vincenty) near the
-/// antipode: its results are NaN, all others are written, and the error names the first such pair.
+/// [`InvalidBatch`] if slices have unequal lengths (nothing is written), if [`LatLon::new`] refuses a place, or
+/// if the method has no answer for a pair, as [`Vincenty`](crate::geodesic::Vincenty) near the antipode (the
+/// results of such pairs are NaN, all others are written).
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};
@@ -249,7 +141,7 @@ pub fn inverse<T: Real, M: Geodesic<T>>(
     lines: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
     let ([lat1, lon1], [lat2, lon2]) = (from, to);
-    solve(Inverse(method), &Pairs, [lat1, lon1, lat2, lon2], lines)
+    solve(Inverse(method), [lat1, lon1, lat2, lon2], lines)
 }
 
 /// Solves the direct problem for places: latitudes, longitudes and azimuths in degrees and distances in
@@ -257,8 +149,7 @@ pub fn inverse<T: Real, M: Geodesic<T>>(
 /// [`Geodesic::direct`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or the method refuses an element;
-/// nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or the method refuses an element.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};
@@ -276,5 +167,5 @@ pub fn direct<T: Real, M: Geodesic<T>>(
     ends: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
     let [lat, lon] = from;
-    solve(Direct(method), &Starts(method), [lat, lon, azimuth, distance], ends)
+    solve(Direct(method), [lat, lon, azimuth, distance], ends)
 }

@@ -4,21 +4,20 @@
 use core::marker::PhantomData;
 
 use super::InvalidBatch;
-use super::admit::{Constructor, admit};
-use super::position::{corrected_to_direction, corrected_to_lat_lon};
+use super::engine::solve_by;
+use super::position::{Vectors, to_direction_in_lanes, to_lat_lon_in_lanes};
 use crate::latitude::{
-    Angle, Conversion, Correction, Degrees, InvalidLatitude, Radians, Turn, conformal, corrected, isometric,
-    with_correction,
+    Angle, Conversion, Degrees, InvalidLatitude, Radians, Turn, conformal, corrected, isometric, with_correction,
 };
-use crate::simd::{CHUNK, Kernel, front, sweep};
-use crate::{InvalidDirection, InvalidLatLon, Latitude, Real, Shifted};
+use crate::simd::{Behind, CHUNK, Door, Kernel, Tally, front, lanes};
+use crate::{Direction, InvalidDirection, InvalidLatLon, LatLon, Latitude, Real, Shifted};
 
 /// Converts geodetic latitudes and longitudes in degrees to unit vectors on the sphere, with the bits of
 /// [`Shifted::to_direction`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`](crate::LatLon::new) refuses an
-/// element. Nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses an
+/// element.
 ///
 /// ```
 /// use terrella::{Ellipsoid, LatLon, Shift, Shifted, batch::latitude};
@@ -33,16 +32,23 @@ pub fn to_direction<T: Real>(
     places: [&[T]; 2],
     directions: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidLatLon<T>>> {
-    let [correction, _] = shifted.corrections();
-    corrected_to_direction(&correction, places, directions)
+    solve_by(
+        places,
+        directions,
+        |[lat, lon]| Ok(shifted.to_direction(LatLon::new(lat, lon)?).to_array()),
+        |places, directions, tally| {
+            let [correction, _] = shifted.corrections();
+            to_direction_in_lanes(&correction, places, directions, tally);
+        },
+    )
 }
 
 /// Converts vectors of any length to geodetic latitudes and longitudes in degrees, with the bits of
 /// [`Shifted::to_lat_lon`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`Direction::new`](crate::Direction::new) refuses an
-/// element. Nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Direction::new`] refuses an
+/// element.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Shift, Shifted, batch::latitude};
@@ -57,14 +63,25 @@ pub fn to_lat_lon<T: Real>(
     directions: [&[T]; 3],
     places: [&mut [T]; 2],
 ) -> Result<(), InvalidBatch<InvalidDirection<T>>> {
-    let [_, correction] = shifted.corrections();
-    corrected_to_lat_lon(&correction, directions, places)
+    solve_by(
+        directions,
+        places,
+        |[x, y, z]| {
+            let place = shifted.to_lat_lon(Direction::new(x, y, z)?);
+            Ok([place.lat(), place.lon()])
+        },
+        |directions, places, tally| {
+            let [_, correction] = shifted.corrections();
+            to_lat_lon_in_lanes(&correction, Vectors { known: false }, directions, places, tally);
+        },
+    )
 }
 
 /// Latitudes whose absolute value is at most a limit.
+#[derive(Clone, Copy)]
 struct Latitudes<T>(T);
 
-impl<T: Real> Constructor<T, 1> for Latitudes<T> {
+impl<T: Real> Door<[T; 1]> for Latitudes<T> {
     type Error = InvalidLatitude<T>;
 
     #[inline(always)]
@@ -81,9 +98,22 @@ impl<T: Real> Constructor<T, 1> for Latitudes<T> {
     }
 }
 
+struct Same;
+
+impl<T: Real> Kernel<[T; 1]> for Same {
+    type Output = [T; 1];
+
+    #[inline(always)]
+    fn apply(&self, value: [T; 1]) -> [T; 1] {
+        value
+    }
+}
+
 struct Conformal<A>(PhantomData<A>);
 
-impl<T: Real, A: Angle> Kernel<T, 1, 1> for Conformal<A> {
+impl<T: Real, A: Angle> Kernel<[T; 1]> for Conformal<A> {
+    type Output = [T; 1];
+
     #[inline(always)]
     fn apply(&self, [value]: [T; 1]) -> [T; 1] {
         [conformal::<T, A>(value)]
@@ -92,7 +122,9 @@ impl<T: Real, A: Angle> Kernel<T, 1, 1> for Conformal<A> {
 
 struct Corrected<C, A>(C, PhantomData<A>);
 
-impl<T: Real, C: Turn<T>, A: Angle> Kernel<T, 1, 1> for Corrected<C, A> {
+impl<T: Real, C: Turn<T>, A: Angle> Kernel<[T; 1]> for Corrected<C, A> {
+    type Output = [T; 1];
+
     #[inline(always)]
     fn apply(&self, [value]: [T; 1]) -> [T; 1] {
         [corrected::<T, A>(value, &self.0)]
@@ -101,71 +133,61 @@ impl<T: Real, C: Turn<T>, A: Angle> Kernel<T, 1, 1> for Corrected<C, A> {
 
 struct Isometric<C, A>(C, PhantomData<A>);
 
-impl<T: Real, C: Turn<T>, A: Angle> Kernel<T, 1, 1> for Isometric<C, A> {
+impl<T: Real, C: Turn<T>, A: Angle> Kernel<[T; 1]> for Isometric<C, A> {
+    type Output = [T; 1];
+
     #[inline(always)]
     fn apply(&self, [value]: [T; 1]) -> [T; 1] {
         [isometric::<T, A>(value, &self.0)]
     }
 }
 
-fn correct<T: Real, A: Angle>(correction: &Correction<T>, from: &[T], to: &mut [T]) {
-    with_correction!(correction, turn => sweep(Corrected(*turn, PhantomData::<A>), [from], [to]));
-}
-
-/// `copy_from_slice` for as many elements as both slices have; it cannot panic.
-fn copy<T: Real>(from: &[T], to: &mut [T]) {
-    for (slot, &value) in to.iter_mut().zip(from) {
-        *slot = value;
-    }
-}
-
 /// Converts in steps, through the geodetic latitude, so that there is a loop for each correction and not for
-/// each pair of them.
-fn convert<T: Real, A: Angle>(
+/// each pair of them. What the first step refuses is NaN, and stays so.
+fn in_lanes<T: Real, A: Angle>(
     conversion: &Conversion<T>,
     values: &[T],
     results: &mut [T],
-) -> Result<(), InvalidBatch<InvalidLatitude<T>>> {
+    tally: &mut Tally<InvalidLatitude<T>>,
+) {
     let [from, to] = conversion.ends();
     let [to_geodetic, from_geodetic] = conversion.corrections();
+    let admitted = Latitudes(conversion.limit::<A>());
+    if from == to {
+        lanes(Behind(admitted, Same), [values], [results], tally);
+        return;
+    }
+    let known = Latitudes(T::of(f64::INFINITY));
+    let ignored = &mut Tally::new();
     let mut results = [results];
-    let lengths = results.each_ref().map(|column| column.len());
-    admit(
-        &Latitudes(conversion.limit::<A>()),
-        [values],
-        &lengths,
-        |_, [values]| {
-            for values in values.chunks(CHUNK) {
-                let [results] = front(&mut results, values.len());
-                if from == to {
-                    copy(values, results);
-                    continue;
-                }
-                let mut start = [T::ZERO; CHUNK];
-                let mut geodetic = [T::ZERO; CHUNK];
-                let start = start.get_mut(..values.len()).unwrap_or_default();
-                let geodetic = geodetic.get_mut(..values.len()).unwrap_or_default();
-                if from == Latitude::Isometric {
-                    sweep(Conformal(PhantomData::<A>), [values], [&mut *start]);
-                } else {
-                    copy(values, start);
-                }
-                correct::<T, A>(&to_geodetic, start, geodetic);
-                if to == Latitude::Isometric {
-                    with_correction!(&from_geodetic, turn => sweep(Isometric(*turn, PhantomData::<A>), [&*geodetic], [results]));
-                } else {
-                    correct::<T, A>(&from_geodetic, geodetic, results);
-                }
+    for values in values.chunks(CHUNK) {
+        let [results] = front(&mut results, values.len());
+        let (mut start, mut geodetic) = ([T::ZERO; CHUNK], [T::ZERO; CHUNK]);
+        let start = start.get_mut(..values.len()).unwrap_or_default();
+        let geodetic = geodetic.get_mut(..values.len()).unwrap_or_default();
+        with_correction!(&to_geodetic, turn => {
+            let kernel = Corrected(*turn, PhantomData::<A>);
+            if from == Latitude::Isometric {
+                lanes(Behind(admitted, Conformal(PhantomData::<A>)), [values], [&mut *start], tally);
+                lanes(Behind(known, kernel), [&*start], [&mut *geodetic], ignored);
+            } else {
+                lanes(Behind(admitted, kernel), [values], [&mut *geodetic], tally);
             }
-        },
-    )
+        });
+        with_correction!(&from_geodetic, turn => if to == Latitude::Isometric {
+            let kernel = Isometric(*turn, PhantomData::<A>);
+            lanes(Behind(known, kernel), [&*geodetic], [results], ignored);
+        } else {
+            let kernel = Corrected(*turn, PhantomData::<A>);
+            lanes(Behind(known, kernel), [&*geodetic], [results], ignored);
+        });
+    }
 }
 
 /// Converts latitudes in degrees from one kind to another, with the bits of [`Conversion::degrees`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`Conversion::degrees`] refuses an element. Nothing is
-/// written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Conversion::degrees`] refuses an element.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Latitude, batch::latitude, latitude::Conversion};
@@ -180,14 +202,18 @@ pub fn degrees<T: Real>(
     values: &[T],
     results: &mut [T],
 ) -> Result<(), InvalidBatch<InvalidLatitude<T>>> {
-    convert::<T, Degrees>(conversion, values, results)
+    solve_by(
+        [values],
+        [results],
+        |[value]| conversion.degrees(value).map(|result| [result]),
+        |[values], [results], tally| in_lanes::<T, Degrees>(conversion, values, results, tally),
+    )
 }
 
 /// Converts latitudes in radians from one kind to another, with the bits of [`Conversion::radians`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`Conversion::radians`] refuses an element. Nothing is
-/// written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Conversion::radians`] refuses an element.
 ///
 /// ```
 /// use terrella::{Ellipsoid, Latitude, batch::latitude, latitude::Conversion};
@@ -202,5 +228,10 @@ pub fn radians<T: Real>(
     values: &[T],
     results: &mut [T],
 ) -> Result<(), InvalidBatch<InvalidLatitude<T>>> {
-    convert::<T, Radians>(conversion, values, results)
+    solve_by(
+        [values],
+        [results],
+        |[value]| conversion.radians(value).map(|result| [result]),
+        |[values], [results], tally| in_lanes::<T, Radians>(conversion, values, results, tally),
+    )
 }

@@ -1,21 +1,22 @@
 //! Converts geodetic latitudes and longitudes to points of the cube's faces, and back, by a [`CubeMap`].
 
-use super::InvalidBatch;
-use super::admit::admit;
-use super::cube::{Faces, Points, project_units, unproject_points};
-use super::position::{Places, turn_to_direction, turn_to_lat_lon};
-use crate::cube::{CubeMap, CubeProjection, Face, InvalidFacePoint, ProjectionTask};
+use super::cube::{InvalidPoint, Point, Points, ProjectInLanes, UnprojectInLanes, face_point, numbered};
+use super::engine::solve_by;
+use super::face_number::Faces;
+use super::position::{Places, Vectors, to_direction_in_lanes, to_lat_lon_in_lanes};
+use super::{FaceNumber, InvalidBatch};
+use crate::cube::{CubeMap, CubeProjection, ProjectionTask};
 use crate::latitude::{Turn, with_correction};
 use crate::math::{atan2_degrees, sin_cos_degrees};
-use crate::simd::{CHUNK, Kernel, front, sweep};
-use crate::{InvalidLatLon, Real, Shifted};
+use crate::simd::{Behind, CHUNK, Kernel, Tally, front, head, lanes};
+use crate::{InvalidLatLon, LatLon, Real, Shifted};
 
 /// Projects geodetic latitudes and longitudes in degrees to faces and their coordinates x and y in [−1, 1],
 /// with the bits of [`CubeMap::project`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`](crate::LatLon::new) refuses an
-/// element. Nothing is written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses an
+/// element.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -26,66 +27,93 @@ use crate::{InvalidLatLon, Real, Shifted};
 /// assert_eq!((face, x[1], y[1]), ([Face::Top, Face::Back], 0.0, 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn project<T: Real, P: CubeProjection>(
+pub fn project<T: Real, P: CubeProjection, F: FaceNumber>(
     map: &CubeMap<T, P>,
     places: [&[T]; 2],
-    faces: &mut [Face],
-    mut points: [&mut [T]; 2],
+    faces: &mut [F],
+    points: [&mut [T]; 2],
 ) -> Result<(), InvalidBatch<InvalidLatLon<T>>> {
-    let lengths = [faces.len(), points[0].len(), points[1].len()];
-    let mut faces = [faces];
-    admit(&Places, places, &lengths, |length, places| {
-        let [faces] = front(&mut faces, length);
-        let points = front(&mut points, length);
-        map.projection()
-            .with(ProjectAll(map.shifted(), places, Faces { faces, points }));
-    })
+    solve_by(
+        places,
+        (Faces::new(faces), points),
+        |[lat, lon]| Ok(numbered(map.project(LatLon::new(lat, lon)?))),
+        |places, points, tally| {
+            map.projection().with(ProjectAll {
+                shifted: map.shifted(),
+                places,
+                points,
+                tally,
+            });
+        },
+    )
 }
 
-/// Projects latitudes and longitudes into faces and points.
-struct ProjectAll<'a, T>(Shifted<T>, [&'a [T]; 2], Faces<&'a mut [Face], [&'a mut [T]; 2]>);
+/// Projects latitudes and longitudes into faces and points: at once, or by way of directions.
+struct ProjectAll<'a, 't, T, F> {
+    shifted: Shifted<T>,
+    places: [&'a [T]; 2],
+    points: (Faces<&'a mut [F], T>, [&'a mut [T]; 2]),
+    tally: &'t mut Tally<InvalidLatLon<T>>,
+}
 
-impl<T: Real> ProjectionTask for ProjectAll<'_, T> {
+impl<T: Real, F: FaceNumber> ProjectionTask for ProjectAll<'_, '_, T, F> {
     type Output = ();
 
     fn run<P: CubeProjection>(self, projection: P) {
-        let Self(shifted, mut places, sink) = self;
+        let Self {
+            shifted,
+            mut places,
+            points,
+            tally,
+        } = self;
         let [correction, _] = shifted.corrections();
         if P::TAKES_PLACES {
-            with_correction!(&correction, turn => sweep(ProjectPlace(*turn, projection), places, sink));
+            with_correction!(&correction, turn => {
+                lanes(Behind(Places, ProjectPlace(*turn, projection)), places, points, tally);
+            });
             return;
         }
-        let Faces { faces, mut points } = sink;
+        let (mut faces, mut points) = points;
         let mut directions = [[T::ZERO; CHUNK]; 3];
-        for faces in faces.chunks_mut(CHUNK) {
-            let here = faces.len();
+        while let here @ 1.. = places[0].len().min(CHUNK) {
+            let places = head(&mut places, here);
             let columns = directions
                 .each_mut()
                 .map(|column| column.get_mut(..here).unwrap_or_default());
-            turn_to_direction(&correction, next(&mut places, here), columns);
-            let columns = directions
-                .each_ref()
-                .map(|column| column.get(..here).unwrap_or_default());
-            project_units(projection, columns, faces, front(&mut points, here));
+            to_direction_in_lanes(&correction, places, columns, tally);
+            ProjectInLanes {
+                vectors: Vectors { known: true },
+                directions: directions
+                    .each_ref()
+                    .map(|column| column.get(..here).unwrap_or_default()),
+                points: (faces.front(here), front(&mut points, here)),
+                tally: &mut Tally::new(),
+            }
+            .run(projection);
         }
     }
 }
 
 struct ProjectPlace<C, P>(C, P);
 
-impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 2, 3> for ProjectPlace<C, P> {
+impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<[T; 2]> for ProjectPlace<C, P> {
+    type Output = (T, [T; 2]);
+
     #[inline(always)]
-    fn apply(&self, [lat, lon]: [T; 2]) -> [T; 3] {
-        self.1.project_place(self.0.turn(sin_cos_degrees(lat)), lon)
+    fn apply(&self, [lat, lon]: [T; 2]) -> (T, [T; 2]) {
+        let [number, x, y] = self.1.project_place(self.0.turn(sin_cos_degrees(lat)), lon);
+        (number, [x, y])
     }
 }
 
 struct UnprojectPlace<C, P>(C, P);
 
-impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 3, 2> for UnprojectPlace<C, P> {
+impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<Point<T>> for UnprojectPlace<C, P> {
+    type Output = [T; 2];
+
     #[inline(always)]
-    fn apply(&self, point: [T; 3]) -> [T; 2] {
-        let (latitude, lon) = self.1.unproject_place(point);
+    fn apply(&self, ([x, y], number): Point<T>) -> [T; 2] {
+        let (latitude, lon) = self.1.unproject_place([number, x, y]);
         let (sin, cos) = self.0.turn(latitude);
         [atan2_degrees(sin, cos), lon]
     }
@@ -96,7 +124,7 @@ impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 3, 2> for UnprojectPlace<
 ///
 /// # Errors
 /// [`InvalidBatch`] if slices have unequal lengths, or [`FacePoint::new`](crate::cube::FacePoint::new)
-/// refuses an element. Nothing is written then.
+/// refuses an element.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Vertex};
@@ -107,54 +135,72 @@ impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<T, 3, 2> for UnprojectPlace<
 /// assert_eq!((lat[0], lon[0], lat[1]), (0.0, 90.0, 90.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn unproject<T: Real, P: CubeProjection>(
+pub fn unproject<T: Real, P: CubeProjection, F: FaceNumber>(
     map: &CubeMap<T, P>,
-    faces: &[Face],
+    faces: &[F],
     points: [&[T]; 2],
-    mut places: [&mut [T]; 2],
-) -> Result<(), InvalidBatch<InvalidFacePoint<T>>> {
-    let lengths = [faces.len(), places[0].len(), places[1].len()];
-    admit(&Points, points, &lengths, |length, points| {
-        let places = front(&mut places, length);
-        map.projection()
-            .with(UnprojectAll(map.shifted(), Faces { faces, points }, places));
-    })
+    places: [&mut [T]; 2],
+) -> Result<(), InvalidBatch<InvalidPoint<T>>> {
+    solve_by(
+        (points, Faces::new(faces)),
+        places,
+        |point| {
+            let place = map.unproject(face_point(point)?);
+            Ok([place.lat(), place.lon()])
+        },
+        |points, places, tally| {
+            map.projection().with(UnprojectAll {
+                shifted: map.shifted(),
+                points,
+                places,
+                tally,
+            });
+        },
+    )
 }
 
-/// Unprojects faces and points into latitudes and longitudes.
-struct UnprojectAll<'a, T>(Shifted<T>, Faces<&'a [Face], [&'a [T]; 2]>, [&'a mut [T]; 2]);
+/// Unprojects faces and points into latitudes and longitudes: at once, or by way of directions.
+struct UnprojectAll<'a, 't, T, F> {
+    shifted: Shifted<T>,
+    points: ([&'a [T]; 2], Faces<&'a [F], T>),
+    places: [&'a mut [T]; 2],
+    tally: &'t mut Tally<InvalidPoint<T>>,
+}
 
-impl<T: Real> ProjectionTask for UnprojectAll<'_, T> {
+impl<T: Real, F: FaceNumber> ProjectionTask for UnprojectAll<'_, '_, T, F> {
     type Output = ();
 
     fn run<P: CubeProjection>(self, projection: P) {
-        let Self(shifted, source, mut places) = self;
+        let Self {
+            shifted,
+            points,
+            mut places,
+            tally,
+        } = self;
         let [_, correction] = shifted.corrections();
         if P::TAKES_PLACES {
-            with_correction!(&correction, turn => sweep(UnprojectPlace(*turn, projection), source, places));
+            with_correction!(&correction, turn => {
+                lanes(Behind(Points, UnprojectPlace(*turn, projection)), points, places, tally);
+            });
             return;
         }
-        let Faces { faces, mut points } = source;
+        let (mut points, mut faces) = points;
         let mut directions = [[T::ZERO; CHUNK]; 3];
-        for faces in faces.chunks(CHUNK) {
-            let here = faces.len();
-            let columns = directions
-                .each_mut()
-                .map(|column| column.get_mut(..here).unwrap_or_default());
-            unproject_points(projection, faces, next(&mut points, here), columns);
+        while let here @ 1.. = points[0].len().min(CHUNK) {
+            let points = head(&mut points, here);
+            UnprojectInLanes {
+                points: (points, faces.head(here)),
+                directions: directions
+                    .each_mut()
+                    .map(|column| column.get_mut(..here).unwrap_or_default()),
+                tally: &mut *tally,
+            }
+            .run(projection);
             let columns = directions
                 .each_ref()
                 .map(|column| column.get(..here).unwrap_or_default());
-            turn_to_lat_lon(&correction, columns, front(&mut places, here));
+            let known = Vectors { known: true };
+            to_lat_lon_in_lanes(&correction, known, columns, front(&mut places, here), &mut Tally::new());
         }
     }
-}
-
-/// Takes the first elements off each slice.
-fn next<'a, T>(columns: &mut [&'a [T]; 2], length: usize) -> [&'a [T]; 2] {
-    columns.each_mut().map(|column| {
-        let (head, rest) = column.split_at_checked(length).unwrap_or_default();
-        *column = rest;
-        head
-    })
 }

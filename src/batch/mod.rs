@@ -21,15 +21,32 @@
 //! | [`map::unproject`] | [`CubeMap::unproject`](crate::cube::CubeMap::unproject) |
 //!
 //! Every element passes the constructor of its type, as in `LatLon::new(lat, lon)`: longitudes are brought
-//! into [−180, 180], and vectors of any length are normalised. A batch is fastest if all longitudes are in
-//! [−180, 180] and all vectors are unit vectors; otherwise it takes longer by about the time of the
-//! constructors.
+//! into [−180, 180], and vectors of any length are normalised, many at a time as well.
 //!
-//! A batch is refused with [`InvalidBatch`] if slices have unequal lengths, or a constructor refuses an
-//! element. Nothing is written then. ([`geodesic::inverse`] may also find pairs of places without an answer,
-//! after it has written the others.)
+//! **Bad elements.** A batch writes all that it can. If a constructor or the method refuses an element, its
+//! results are NaN, its face is [`Front`](crate::cube::Face::Front), and the call returns
+//! [`InvalidBatch::Elements`] with the number of such elements, the index of the first, and why it was
+//! refused. So a missing value among a billion costs its own row only: a caller who expects some ignores this
+//! error, and `?` stops at it. If slices have unequal lengths, nothing is written
+//! ([`InvalidBatch::Lengths`]).
 //!
-//! A call takes up to 19 kB of stack in `f64`, and half of that in `f32` (measured on a Cortex-M).
+//! ```
+//! use terrella::batch::{InvalidBatch, position};
+//! let (mut x, mut y, mut z) = ([0.0; 3], [0.0; 3], [0.0; 3]);
+//! let places: [&[f64]; 2] = [&[0.0, f64::NAN, 90.0], &[450.0, 0.0, 0.0]];
+//! match position::to_direction(places, [&mut x, &mut y, &mut z]) {
+//!     Ok(()) => println!("all places are written"),
+//!     Err(InvalidBatch::Elements { count, first, why }) => println!("{count} refused, {first} first: {why}"),
+//!     Err(lengths) => return Err(lengths.into()),
+//! }
+//! assert!(y[0] == 1.0 && y[1].is_nan() && z[2] == 1.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **Lengths.** Elements go through vectors in blocks of 64. The last ones are filled up to a multiple of 16,
+//! and fewer than 4 are computed one by one. On a machine without vectors (a microcontroller), and in a
+//! program that is compiled for size, a batch is a loop over the function that takes one element: it takes
+//! that function's stack and flash. With vectors, a call takes up to 30 kB of stack in `f64`.
 //!
 //! On x86-64 with the feature `std`, batches use AVX-512 or AVX2 if the machine has them. Elsewhere they use
 //! the instructions that the crate is compiled for (SSE2, NEON, wasm's `simd128`).
@@ -47,31 +64,36 @@
 
 use core::fmt;
 
-mod admit;
 pub mod cube;
 pub mod ellipsoid;
+mod engine;
 mod face_mask;
+mod face_number;
 pub mod geodesic;
 pub mod latitude;
 pub mod map;
 pub mod position;
 
-/// Why a batch was refused.
+pub use face_number::FaceNumber;
+
+/// What is wrong with a batch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InvalidBatch<E> {
-    /// A slice does not have the length of the first.
+    /// A slice does not have the length of the first. Nothing was written.
     Lengths {
         /// The length of the first slice.
         first: usize,
         /// The length of the slice that differs.
         other: usize,
     },
-    /// An element was refused: the first of them.
-    Element {
-        /// The index of the element in the slices.
-        index: usize,
-        /// Why it was refused.
+    /// Elements were refused. Their results are NaN, and all others are written.
+    Elements {
+        /// How many were refused.
+        count: usize,
+        /// The index of the first in the slices.
+        first: usize,
+        /// Why the first was refused.
         why: E,
     },
 }
@@ -80,17 +102,12 @@ impl<E: fmt::Display> fmt::Display for InvalidBatch<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Lengths { first, other } => write!(f, "expected slices of {first} elements, got {other}"),
-            Self::Element { index, why } => write!(f, "element {index}: {why}"),
+            Self::Elements { count: 1, first, why } => write!(f, "element {first}: {why}"),
+            Self::Elements { count, first, why } => {
+                write!(f, "{count} elements are refused; the first is element {first}: {why}")
+            }
         }
     }
 }
 
 impl<E: fmt::Debug + fmt::Display> core::error::Error for InvalidBatch<E> {}
-
-/// Returns an error unless all slices have the length of the first.
-pub(crate) fn same_length<E>(first: usize, others: &[usize]) -> Result<(), InvalidBatch<E>> {
-    match others.iter().find(|&&other| other != first) {
-        Some(&other) => Err(InvalidBatch::Lengths { first, other }),
-        None => Ok(()),
-    }
-}

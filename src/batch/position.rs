@@ -1,21 +1,26 @@
 //! Converts latitudes and longitudes on the sphere to directions, and back.
 
 use super::InvalidBatch;
-use super::admit::{Constructor, admit};
+use super::engine::solve_by;
 use crate::latitude::{Correction, Turn, with_correction};
 use crate::math::{atan2_degrees, sin_cos_degrees};
-use crate::simd::{Kernel, front, sweep};
+use crate::simd::{Behind, Door, Kernel, Tally, lanes};
 use crate::{Direction, InvalidDirection, InvalidLatLon, LatLon, Real};
 
 /// Latitudes and longitudes in degrees.
 pub(super) struct Places;
 
-impl<T: Real> Constructor<T, 2> for Places {
+impl<T: Real> Door<[T; 2]> for Places {
     type Error = InvalidLatLon<T>;
 
     #[inline(always)]
     fn keeps(&self, [lat, lon]: [T; 2]) -> bool {
         (lat.abs() <= T::of(90.0)) & (lon.abs() <= T::of(180.0))
+    }
+
+    #[inline(always)]
+    fn mend(&self, [lat, lon]: [T; 2]) -> [T; 2] {
+        [lat, LatLon::turned(lon)]
     }
 
     fn admit(&self, [lat, lon]: [T; 2]) -> Result<[T; 2], Self::Error> {
@@ -24,14 +29,26 @@ impl<T: Real> Constructor<T, 2> for Places {
 }
 
 /// Vectors, of unit length or not.
-pub(super) struct Vectors;
+pub(super) struct Vectors {
+    /// Whether they come from a batch: directions, or NaN where it refused.
+    pub(super) known: bool,
+}
 
-impl<T: Real> Constructor<T, 3> for Vectors {
+impl<T: Real> Door<[T; 3]> for Vectors {
     type Error = InvalidDirection<T>;
 
     #[inline(always)]
     fn keeps(&self, [x, y, z]: [T; 3]) -> bool {
-        Direction::is_unit(x, y, z)
+        Direction::is_unit(x, y, z) | (self.known & x.is_finite())
+    }
+
+    #[inline(always)]
+    fn mend(&self, vector: [T; 3]) -> [T; 3] {
+        if self.known {
+            vector
+        } else {
+            Direction::normalised(vector)
+        }
     }
 
     fn admit(&self, [x, y, z]: [T; 3]) -> Result<[T; 3], Self::Error> {
@@ -39,18 +56,22 @@ impl<T: Real> Constructor<T, 3> for Vectors {
     }
 }
 
-struct ToDirection<C>(C);
+pub(super) struct ToDirection<C>(C);
 
-impl<T: Real, C: Turn<T>> Kernel<T, 2, 3> for ToDirection<C> {
+impl<T: Real, C: Turn<T>> Kernel<[T; 2]> for ToDirection<C> {
+    type Output = [T; 3];
+
     #[inline(always)]
     fn apply(&self, [lat, lon]: [T; 2]) -> [T; 3] {
         Direction::from_angles(self.0.turn(sin_cos_degrees(lat)), sin_cos_degrees(lon)).to_array()
     }
 }
 
-struct ToLatLon<C>(C);
+pub(super) struct ToLatLon<C>(C);
 
-impl<T: Real, C: Turn<T>> Kernel<T, 3, 2> for ToLatLon<C> {
+impl<T: Real, C: Turn<T>> Kernel<[T; 3]> for ToLatLon<C> {
+    type Output = [T; 2];
+
     #[inline(always)]
     fn apply(&self, [x, y, z]: [T; 3]) -> [T; 2] {
         let direction = Direction::within(x, y, z);
@@ -58,49 +79,32 @@ impl<T: Real, C: Turn<T>> Kernel<T, 3, 2> for ToLatLon<C> {
         [atan2_degrees(sin, cos), direction.lon()]
     }
 }
-
-/// [`to_direction`] for places that have passed [`Places`]; the correction leads from their latitude to the
-/// sphere's.
-pub(super) fn turn_to_direction<T: Real>(correction: &Correction<T>, places: [&[T]; 2], directions: [&mut [T]; 3]) {
-    with_correction!(correction, turn => sweep(ToDirection(*turn), places, directions));
-}
-
-/// [`to_lat_lon`] for directions that have passed [`Vectors`]; the correction leads from the sphere's
-/// latitude to that of the result.
-pub(super) fn turn_to_lat_lon<T: Real>(correction: &Correction<T>, directions: [&[T]; 3], places: [&mut [T]; 2]) {
-    with_correction!(correction, turn => sweep(ToLatLon(*turn), directions, places));
-}
-
-/// [`to_direction`], with a correction of the latitude.
-pub(super) fn corrected_to_direction<T: Real>(
+/// Places to directions in lanes; the correction leads from their latitude to the sphere's.
+pub(super) fn to_direction_in_lanes<T: Real>(
     correction: &Correction<T>,
     places: [&[T]; 2],
-    mut directions: [&mut [T]; 3],
-) -> Result<(), InvalidBatch<InvalidLatLon<T>>> {
-    let lengths = directions.each_ref().map(|column| column.len());
-    admit(&Places, places, &lengths, |length, places| {
-        turn_to_direction(correction, places, front(&mut directions, length));
-    })
+    directions: [&mut [T]; 3],
+    tally: &mut Tally<InvalidLatLon<T>>,
+) {
+    with_correction!(correction, turn => lanes(Behind(Places, ToDirection(*turn)), places, directions, tally));
 }
 
-/// [`to_lat_lon`], with a correction of the latitude.
-pub(super) fn corrected_to_lat_lon<T: Real>(
+/// Vectors to places in lanes; the correction leads from the sphere's latitude to that of the result.
+pub(super) fn to_lat_lon_in_lanes<T: Real>(
     correction: &Correction<T>,
-    directions: [&[T]; 3],
-    mut places: [&mut [T]; 2],
-) -> Result<(), InvalidBatch<InvalidDirection<T>>> {
-    let lengths = places.each_ref().map(|column| column.len());
-    admit(&Vectors, directions, &lengths, |length, directions| {
-        turn_to_lat_lon(correction, directions, front(&mut places, length));
-    })
+    vectors: Vectors,
+    columns: [&[T]; 3],
+    places: [&mut [T]; 2],
+    tally: &mut Tally<InvalidDirection<T>>,
+) {
+    with_correction!(correction, turn => lanes(Behind(vectors, ToLatLon(*turn)), columns, places, tally));
 }
 
 /// Converts latitudes and longitudes on the sphere, in degrees, to unit vectors, with the bits of
 /// [`LatLon::to_direction`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses an element. Nothing is written
-/// then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses an element.
 ///
 /// ```
 /// use terrella::batch::position;
@@ -113,15 +117,19 @@ pub fn to_direction<T: Real>(
     places: [&[T]; 2],
     directions: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidLatLon<T>>> {
-    corrected_to_direction(&Correction::None, places, directions)
+    solve_by(
+        places,
+        directions,
+        |[lat, lon]| Ok(LatLon::new(lat, lon)?.to_direction().to_array()),
+        |places, directions, tally| to_direction_in_lanes(&Correction::None, places, directions, tally),
+    )
 }
 
 /// Converts vectors of any length to latitudes and longitudes on the sphere, in degrees, with the bits of
 /// [`Direction::to_lat_lon`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`Direction::new`] refuses an element. Nothing is
-/// written then.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`Direction::new`] refuses an element.
 ///
 /// ```
 /// use terrella::batch::position;
@@ -134,5 +142,15 @@ pub fn to_lat_lon<T: Real>(
     directions: [&[T]; 3],
     places: [&mut [T]; 2],
 ) -> Result<(), InvalidBatch<InvalidDirection<T>>> {
-    corrected_to_lat_lon(&Correction::None, directions, places)
+    solve_by(
+        directions,
+        places,
+        |[x, y, z]| {
+            let place = Direction::new(x, y, z)?.to_lat_lon();
+            Ok([place.lat(), place.lon()])
+        },
+        |directions, places, tally| {
+            to_lat_lon_in_lanes(&Correction::None, Vectors { known: false }, directions, places, tally);
+        },
+    )
 }

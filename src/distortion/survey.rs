@@ -235,7 +235,9 @@ struct ToDirection<P> {
     face: Face,
 }
 
-impl<T: Real, P: CubeProjection> Kernel<T, 2, 9> for ToDirection<P> {
+impl<T: Real, P: CubeProjection> Kernel<[T; 2]> for ToDirection<P> {
+    type Output = [T; 9];
+
     #[inline(always)]
     fn apply(&self, point: [T; 2]) -> [T; 9] {
         let [x, y, z] = direction(self.projection, self.face, point);
@@ -251,7 +253,9 @@ struct ToTexel<T, C> {
     reference: T,
 }
 
-impl<T: Real, C: Turn<Dual<T, 2>>> Kernel<T, 9, 4> for ToTexel<T, C> {
+impl<T: Real, C: Turn<Dual<T, 2>>> Kernel<[T; 9]> for ToTexel<T, C> {
+    type Output = [T; 4];
+
     #[inline(always)]
     fn apply(&self, [x, xx, xy, y, yx, yy, z, zx, zy]: [T; 9]) -> [T; 4] {
         let direction = [Dual::new(x, [xx, xy]), Dual::new(y, [yx, yy]), Dual::new(z, [zx, zy])];

@@ -151,10 +151,4 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
             azimuth: end.azimuth,
         })
     }
-
-    /// 50 equatorial radii.
-    #[inline(always)]
-    fn reach(&self) -> T {
-        T::of(50.0) * self.a
-    }
 }

@@ -133,12 +133,6 @@ impl<T: Real> Geodesic<T> for Bowring<T> {
             azimuth: end.azimuth,
         })
     }
-
-    /// Any finite distance.
-    #[inline(always)]
-    fn reach(&self) -> T {
-        T::pick(f64::MAX, f32::MAX)
-    }
 }
 
 const RADIAN: f64 = core::f64::consts::PI / 180.0;

@@ -111,10 +111,4 @@ impl<T: Real> Geodesic<T> for Flat<T> {
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         mid_latitude::direct(from, azimuth, distance, |lat| self.scale(lat))
     }
-
-    /// Any finite distance.
-    #[inline(always)]
-    fn reach(&self) -> T {
-        T::pick(f64::MAX, f32::MAX)
-    }
 }

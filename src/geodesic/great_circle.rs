@@ -293,12 +293,6 @@ impl<T: Real> Geodesic<T> for GreatCircle<T> {
         };
         Ok(destination(from, heading, distance / self.radius))
     }
-
-    /// Any finite distance.
-    #[inline(always)]
-    fn reach(&self) -> T {
-        T::pick(f64::MAX, f32::MAX)
-    }
 }
 
 /// The end of an arc of a great circle: latitude, longitude from the start, and azimuth, in degrees.

@@ -99,10 +99,4 @@ impl<T: Real> Geodesic<T> for Haversine<T> {
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         self.sphere.direct(from, azimuth, distance)
     }
-
-    /// Any finite distance.
-    #[inline(always)]
-    fn reach(&self) -> T {
-        T::pick(f64::MAX, f32::MAX)
-    }
 }

@@ -178,13 +178,6 @@ macro_rules! methods {
                     $(Self::$variant(method) => method.direct(from, azimuth, distance),)*
                 }
             }
-
-            #[inline(always)]
-            fn reach(&self) -> T {
-                match self {
-                    $(Self::$variant(method) => method.reach(),)*
-                }
-            }
         }
     };
     (@place) => { false };

@@ -141,14 +141,6 @@ pub trait Geodesic<T: Real> {
             Err(_) => (Direct::nothing(), false),
         }
     }
-
-    /// A distance in metres up to which, forward or backward, [`direct`](Self::direct) never refuses a finite
-    /// azimuth. Longer ones are solved twice in a batch, which has to know before it writes anything whether
-    /// one is refused. The default is 0.
-    #[inline(always)]
-    fn reach(&self) -> T {
-        T::ZERO
-    }
 }
 
 /// The solution of the inverse problem.

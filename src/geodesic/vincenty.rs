@@ -344,10 +344,4 @@ impl<T: Real> Geodesic<T> for Vincenty<T> {
         let few = (azimuth.abs() <= T::of(360.0)) & (distance.abs() <= T::pick(300.0, 60.0) * self.b);
         (self.end(from, sin_cos_degrees(azimuth), distance, false), few)
     }
-
-    /// 50 polar radii.
-    #[inline(always)]
-    fn reach(&self) -> T {
-        T::of(50.0) * self.b
-    }
 }

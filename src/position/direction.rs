@@ -41,10 +41,17 @@ impl<T: Real> Direction<T> {
     /// Not inlined, so that the compiler does not merge it with the caller's use of the components.
     #[inline(never)]
     fn of_any_length(x: T, y: T, z: T) -> Result<Self, InvalidDirection<T>> {
-        let largest = max(max(x.abs(), y.abs()), z.abs());
-        if !(x.is_finite() && y.is_finite() && z.is_finite()) || largest == T::ZERO {
+        if !(x.is_finite() && y.is_finite() && z.is_finite()) || (x.abs() + y.abs() + z.abs() == T::ZERO) {
             return Err(InvalidDirection { x, y, z });
         }
+        let [x, y, z] = Self::normalised([x, y, z]);
+        Ok(Self { x, y, z })
+    }
+
+    /// The unit vector along a vector, or numbers that are none for a vector that has no direction.
+    #[inline(always)]
+    pub(crate) fn normalised([x, y, z]: [T; 3]) -> [T; 3] {
+        let largest = max(max(x.abs(), y.abs()), z.abs());
         // A power of two keeps the squares in range: 2^±500 and 2^±60 are the bounds.
         let shrink = T::pick(2.409_919_865_102_884e-181, 8.271_806e-25);
         let grow = T::pick(4.149_515_568_880_993e180, 1.267_650_6e30);
@@ -58,15 +65,8 @@ impl<T: Real> Direction<T> {
             ),
         );
         let (x, y, z) = (x * scale, y * scale, z * scale);
-        if Self::is_unit(x, y, z) {
-            return Ok(Self { x, y, z });
-        }
-        let length = (x * x + y * y + z * z).sqrt();
-        Ok(Self {
-            x: x / length,
-            y: y / length,
-            z: z / length,
-        })
+        let length = select(Self::is_unit(x, y, z), T::ONE, (x * x + y * y + z * z).sqrt());
+        [x / length, y / length, z / length]
     }
 
     /// Whether the length of the vector is 1 apart from rounding.

@@ -152,6 +152,19 @@ impl<T: Real> LatLon<T> {
         (radians(self.lat), radians(self.lon))
     }
 
+    /// The longitude as [`new`](Self::new) brings it into range, for up to two and a half turns; beyond, and
+    /// for NaN, it stays out of range. No subtraction rounds: both numbers are within a factor of two.
+    #[inline(always)]
+    pub(crate) fn turned(lon: T) -> T {
+        let size = lon.abs();
+        let turns = select(
+            size > T::of(540.0),
+            T::of(720.0),
+            select(size > T::of(180.0), T::of(360.0), T::ZERO),
+        );
+        (size - turns) * T::ONE.copysign(lon)
+    }
+
     /// Creates a place with a latitude and longitude known to be in range.
     #[inline(always)]
     pub(crate) const fn within(lat: T, lon: T) -> Self {

@@ -1,8 +1,9 @@
-//! The loop over slices that surveys, patches and batches run, and the choice of the machine's instructions
+//! The loop over columns that surveys, patches and batches run, and the choice of the machine's instructions
 //! for it.
 
+mod columns;
 mod dispatch;
-mod sweep;
+mod lanes;
 
-pub(crate) use dispatch::{Pass, dispatch};
-pub(crate) use sweep::{BLOCK, CHUNK, Kernel, Sink, Source, block, element, front, store, sweep};
+pub(crate) use columns::{BLOCK, Sink, Source, block, front, head, push, store};
+pub(crate) use lanes::{Behind, CHUNK, Door, Element, Kernel, Tally, lanes, sweep};

@@ -5,7 +5,7 @@ use super::vector::{along, difference};
 use super::{Base, Tile, Vertices};
 use crate::cube::{Corner, CubeMap, CubeProjection, Edge, FacePoint, ProjectionTask};
 use crate::latitude::{Turn, normal, with_correction};
-use crate::simd::{CHUNK, Kernel, Sink, front, store, sweep};
+use crate::simd::{CHUNK, Kernel, front, sweep};
 use crate::{Direction, Ecef, Ellipsoid, Real, Shifted};
 
 /// The largest number of samples along an edge of a patch.
@@ -274,7 +274,7 @@ impl ProjectionTask for Fill<'_> {
             let [x, y, z] = directions
                 .each_ref()
                 .map(|column| column.get(..here).unwrap_or_default());
-            let sink = Narrow(front(&mut self.columns, here));
+            let sink = front(&mut self.columns, here);
             with_correction!(&correction, turn => {
                 let kernel = ToSample {
                     ellipsoid: self.shifted.ellipsoid(),
@@ -310,7 +310,9 @@ impl<P> ToDirection<P> {
     }
 }
 
-impl<P: CubeProjection> Kernel<f64, 2, 3> for ToDirection<P> {
+impl<P: CubeProjection> Kernel<[f64; 2]> for ToDirection<P> {
+    type Output = [f64; 3];
+
     #[inline(always)]
     fn apply(&self, [m, n]: [f64; 2]) -> [f64; 3] {
         let [x, y] = self.low;
@@ -327,28 +329,14 @@ struct ToSample<C> {
     lifted: Lifted,
 }
 
-impl<C: Turn<f64>> Kernel<f64, 5, 6> for ToSample<C> {
+impl<C: Turn<f64>> Kernel<[f64; 5]> for ToSample<C> {
+    type Output = [f32; 6];
+
     #[inline(always)]
-    fn apply(&self, [m, n, x, y, z]: [f64; 5]) -> [f64; 6] {
+    fn apply(&self, [m, n, x, y, z]: [f64; 5]) -> [f32; 6] {
         let normal = normal(&self.turn, Direction::within(x, y, z));
         let ground = [self.ellipsoid.foot(normal), normal.to_array()];
-        self.lifted.sample(ground, [m, n])
-    }
-}
-
-/// A sink that rounds the results to single precision.
-struct Narrow<'a>([&'a mut [f32]; 6]);
-
-impl Sink<f64, 6> for Narrow<'_> {
-    #[inline(always)]
-    fn store(&mut self, block: &[[f64; crate::simd::BLOCK]; 6]) {
-        for (column, block) in self.0.iter_mut().zip(block) {
-            let mut rounded = [0.0; crate::simd::BLOCK];
-            for (slot, value) in rounded.iter_mut().zip(block) {
-                *slot = narrow(*value);
-            }
-            store(column, &rounded);
-        }
+        self.lifted.sample(ground, [m, n]).map(narrow)
     }
 }
 

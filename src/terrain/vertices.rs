@@ -189,7 +189,9 @@ struct ToVertex {
     last: f32,
 }
 
-impl Kernel<f32, 9, 3> for ToVertex {
+impl Kernel<[f32; 9]> for ToVertex {
+    type Output = [f32; 3];
+
     #[inline(always)]
     fn apply(&self, [m, n, ox, oy, oz, nx, ny, nz, height]: [f32; 9]) -> [f32; 3] {
         vertex(self.corners, [m, n], self.last, [ox, oy, oz], [nx, ny, nz], height)

@@ -1,4 +1,6 @@
-use terrella::batch::{self, InvalidBatch, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
+use terrella::batch::{
+    self, InvalidBatch, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem,
+};
 use terrella::cube::{CubeMap, Face, Projection};
 use terrella::geodesic::{Geodesic, Karney, Vincenty};
 use terrella::latitude::Conversion;
@@ -190,7 +192,16 @@ impl<E: Bits> Bits for InvalidBatch<E> {
     fn add_to(&self, hash: &mut Hash) {
         match self {
             Self::Lengths { first, other } => (*first, *other).add_to(hash),
-            Self::Element { index, why } => (*index, why).add_to(hash),
+            Self::Elements { count, first, why } => ((*count, *first), why).add_to(hash),
+        }
+    }
+}
+
+impl<T: Scalar> Bits for InvalidPoint<T> {
+    fn add_to(&self, hash: &mut Hash) {
+        match self {
+            Self::Face(why) => why.add_to(hash),
+            Self::Point(why) => why.add_to(hash),
         }
     }
 }

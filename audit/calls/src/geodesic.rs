@@ -113,7 +113,7 @@ fn straight<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M, 
         |(from, [azimuth, distance])| {
             let distance = distance * T::of(2e7);
             let (end, found) = Geodesic::fast_direct(method, from, azimuth * T::of(180.0), distance);
-            (found.then_some(end), distance.abs() <= Geodesic::reach(method))
+            found.then_some(end)
         },
     );
 }

@@ -18,7 +18,7 @@ pub fn show<T: Scalar>() {
     ) else {
         return;
     };
-    // Longitudes that are wrapped, so that copies of all arguments are made.
+    // Longitudes that are wrapped.
     let (lat, lon) = ([T::of(30.0); POINTS], [T::of(200.0); POINTS]);
     let (far, azimuth) = ([T::of(-29.9); POINTS], [T::of(20.5); POINTS]);
     let [mut a, mut b, mut c, mut d] = [[T::ZERO; POINTS]; 4];

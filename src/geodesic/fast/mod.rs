@@ -46,10 +46,4 @@ impl<T: Real> Solver<T> {
         // 1/150, and room for its rounding.
         self.f.abs() < T::of(1.0 / 149.0)
     }
-
-    /// The polar radius in metres.
-    #[inline(always)]
-    pub fn b(&self) -> T {
-        self.b
-    }
 }

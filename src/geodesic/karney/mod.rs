@@ -213,10 +213,4 @@ impl<T: Real> Geodesic<T> for Karney<T> {
         let (end, found) = self.fast.direct(from, azimuth, distance);
         (end, found & self.fast.exact())
     }
-
-    /// 50 polar radii.
-    #[inline(always)]
-    fn reach(&self) -> T {
-        T::of(50.0) * self.fast.b()
-    }
 }

@@ -1,0 +1,50 @@
+//! Runs a function over columns: lengths are compared, and what is refused is counted.
+
+use super::InvalidBatch;
+use crate::simd::{Element, Sink, Source, Tally, lanes};
+
+/// With fewer elements the lanes do not pay.
+const FEW: usize = 4;
+
+/// Computes all elements: few of them, and all on a machine without vectors, by `one`, else by `in_lanes`.
+///
+/// # Errors
+/// [`InvalidBatch`] if lengths are unequal; nothing is written then. Also if elements are refused: all others
+/// are written.
+pub(super) fn solve_by<S: Source, D: Sink, E>(
+    source: S,
+    mut sink: D,
+    one: impl Fn(S::Row) -> Result<D::Row, E>,
+    in_lanes: impl FnOnce(S, D, &mut Tally<E>),
+) -> Result<(), InvalidBatch<E>> {
+    let length = source.len();
+    if let Some(other) = source.other_length(length).or_else(|| sink.other_length(length)) {
+        return Err(InvalidBatch::Lengths { first: length, other });
+    }
+    let mut tally = Tally::new();
+    if cfg!(lanes) && length >= FEW {
+        in_lanes(source, sink, &mut tally);
+    } else {
+        for index in 0..length {
+            sink.push(tally.note(index, one(source.at(index)), D::nothing()));
+        }
+    }
+    match tally.refused() {
+        Some((count, first, why)) => Err(InvalidBatch::Elements { count, first, why }),
+        None => Ok(()),
+    }
+}
+
+/// [`solve_by`] an element's own functions.
+pub(super) fn solve<S: Source, D: Sink, K: Element<S::Row, Output = D::Row> + Copy>(
+    element: K,
+    source: S,
+    sink: D,
+) -> Result<(), InvalidBatch<K::Error>> {
+    solve_by(
+        source,
+        sink,
+        |row| element.one(row),
+        |source, sink, tally| lanes(element, source, sink, tally),
+    )
+}

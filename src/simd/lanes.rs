@@ -1,0 +1,261 @@
+//! The loop over columns. It works block by block, and short and odd lengths run the same code.
+
+use core::convert::Infallible;
+
+use super::columns::{BLOCK, Sink, Source};
+use super::dispatch::{Pass, dispatch};
+
+/// The number of rows that pass through buffers together.
+pub(crate) const CHUNK: usize = 4 * BLOCK;
+
+/// The last rows of a loop are filled up to a multiple of this: two of the widest vectors of `f64`. So no loop
+/// has a second body for what is left.
+const LANES: usize = if cfg!(lanes) { 16 } else { 1 };
+
+/// The constructors of what an element is made of.
+///
+/// [`keeps`](Self::keeps) and [`mend`](Self::mend) must be `#[inline(always)]`, straight-line code, and hold
+/// for any numbers.
+pub(crate) trait Door<Input> {
+    /// Why an element is refused.
+    type Error;
+
+    /// Whether the constructors accept the numbers and do not change them.
+    fn keeps(&self, input: Input) -> bool;
+
+    /// The numbers as the constructors change them, bit for bit, or any that [`keeps`](Self::keeps) denies.
+    /// It is called only for blocks in which a row is not kept.
+    #[inline(always)]
+    fn mend(&self, input: Input) -> Input {
+        input
+    }
+
+    /// The numbers as the constructors change them.
+    fn admit(&self, input: Input) -> Result<Input, Self::Error>;
+}
+
+/// A function of one element that cannot be refused. [`apply`](Self::apply) is straight-line code and
+/// `#[inline(always)]`.
+pub(crate) trait Kernel<Input> {
+    /// The results.
+    type Output;
+
+    /// Computes the function.
+    fn apply(&self, input: Input) -> Self::Output;
+}
+
+/// A function of one element behind a door: the way that nearly all elements take, in lanes, and the function
+/// itself, one by one.
+///
+/// All but [`one`](Self::one) must be `#[inline(always)]`, straight-line code, and hold for any numbers.
+pub(crate) trait Element<Input> {
+    /// The results.
+    type Output;
+    /// Why an element is refused.
+    type Error;
+
+    /// As [`Door::keeps`].
+    fn keeps(&self, input: Input) -> bool;
+
+    /// As [`Door::mend`].
+    fn mend(&self, input: Input) -> Input;
+
+    /// The results for numbers that are kept, and whether they are those of [`one`](Self::one), bit for bit.
+    fn fast(&self, input: Input) -> (Self::Output, bool);
+
+    /// The results by the constructors and the function that takes one element.
+    fn one(&self, input: Input) -> Result<Self::Output, Self::Error>;
+}
+
+/// Counts the elements that were refused.
+pub(crate) struct Tally<E> {
+    /// The number of elements before those that are processed now.
+    before: usize,
+    count: usize,
+    first: Option<(usize, E)>,
+}
+
+impl<E> Tally<E> {
+    pub(crate) const fn new() -> Self {
+        Self {
+            before: 0,
+            count: 0,
+            first: None,
+        }
+    }
+
+    /// Moves past elements.
+    pub(crate) const fn pass(&mut self, count: usize) {
+        self.before += count;
+    }
+
+    /// The result of one element, or nothing if it was refused.
+    pub(crate) fn note<V>(&mut self, index: usize, result: Result<V, E>, nothing: V) -> V {
+        result.unwrap_or_else(|why| {
+            self.count += 1;
+            self.first.get_or_insert((self.before + index, why));
+            nothing
+        })
+    }
+
+    /// The number of elements that were refused, the index of the first, and why it was.
+    pub(crate) fn refused(self) -> Option<(usize, usize, E)> {
+        self.first.map(|(first, why)| (self.count, first, why))
+    }
+}
+
+struct Lanes<'t, K, S, D, E> {
+    kernel: K,
+    source: S,
+    sink: D,
+    tally: &'t mut Tally<E>,
+}
+
+/// Computes all elements in lanes, and those that have no fast way one by one. It is not inlined, so that a
+/// program has the loop once and not once for each caller.
+#[inline(never)]
+pub(crate) fn lanes<K, S, D>(kernel: K, source: S, sink: D, tally: &mut Tally<K::Error>)
+where
+    S: Source,
+    D: Sink,
+    K: Element<S::Row, Output = D::Row>,
+{
+    dispatch(Lanes {
+        kernel,
+        source,
+        sink,
+        tally,
+    });
+}
+
+/// Runs a kernel over all of a source.
+pub(crate) fn sweep<K, S, D>(kernel: K, source: S, sink: D)
+where
+    S: Source,
+    D: Sink,
+    K: Kernel<S::Row, Output = D::Row>,
+{
+    lanes(Behind(Open, kernel), source, sink, &mut Tally::new());
+}
+
+/// No door: all numbers are kept.
+struct Open;
+
+impl<I> Door<I> for Open {
+    type Error = Infallible;
+
+    #[inline(always)]
+    fn keeps(&self, _: I) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn admit(&self, input: I) -> Result<I, Infallible> {
+        Ok(input)
+    }
+}
+
+/// A kernel behind a door.
+pub(crate) struct Behind<D, K>(pub(crate) D, pub(crate) K);
+
+impl<I, D: Door<I>, K: Kernel<I>> Element<I> for Behind<D, K> {
+    type Output = K::Output;
+    type Error = D::Error;
+
+    #[inline(always)]
+    fn keeps(&self, input: I) -> bool {
+        self.0.keeps(input)
+    }
+
+    #[inline(always)]
+    fn mend(&self, input: I) -> I {
+        self.0.mend(input)
+    }
+
+    #[inline(always)]
+    fn fast(&self, input: I) -> (K::Output, bool) {
+        (self.1.apply(input), true)
+    }
+
+    fn one(&self, input: I) -> Result<K::Output, D::Error> {
+        Ok(self.1.apply(self.0.admit(input)?))
+    }
+}
+
+impl<K, S, D> Pass for Lanes<'_, K, S, D, K::Error>
+where
+    S: Source,
+    D: Sink,
+    K: Element<S::Row, Output = D::Row>,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self {
+            kernel,
+            mut source,
+            mut sink,
+            tally,
+        } = self;
+        let (mut spare, mut mended, mut results) = (S::spare(), S::spare(), D::block());
+        let mut found = [true; BLOCK];
+        loop {
+            let rows = source;
+            let here = rows.len().min(BLOCK);
+            if here == 0 {
+                return;
+            }
+            let count = here.div_ceil(LANES).min(BLOCK / LANES) * LANES;
+            let mut block = source.next(&mut spare);
+            let mut kept = true;
+            for i in 0..count {
+                kept &= kernel.keeps(S::row(block, i));
+            }
+            if !kept {
+                for i in 0..count {
+                    S::put(&mut mended, i, kernel.mend(S::row(block, i)));
+                }
+                block = S::block(&mended);
+            }
+            let mut all = true;
+            for i in 0..count {
+                let (row, fast) = kernel.fast(S::row(block, i));
+                D::put(&mut results, i, row);
+                if let Some(slot) = found.get_mut(i) {
+                    *slot = fast;
+                }
+                all &= fast;
+            }
+            if !kept {
+                for i in 0..count {
+                    let kept = kernel.keeps(S::row(block, i));
+                    if let Some(slot) = found.get_mut(i) {
+                        *slot &= kept;
+                    }
+                    all &= kept;
+                }
+            }
+            if !all {
+                complete::<K, S, D>(&kernel, rows, &found, &mut results, tally);
+            }
+            sink.store(&results);
+            tally.pass(here);
+        }
+    }
+}
+
+/// Computes the rows of a block that were not found, one by one.
+#[cold]
+#[inline(never)]
+fn complete<K, S, D>(kernel: &K, rows: S, found: &[bool; BLOCK], results: &mut D::Block, tally: &mut Tally<K::Error>)
+where
+    S: Source,
+    D: Sink,
+    K: Element<S::Row, Output = D::Row>,
+{
+    for (i, _) in (0..rows.len()).zip(found).filter(|(_, found)| !**found) {
+        let row = tally.note(i, kernel.one(rows.at(i)), D::nothing());
+        D::put(results, i, row);
+    }
+}
