@@ -4,18 +4,17 @@
 use fastrand::Rng;
 use proptest::prelude::*;
 use rayon::prelude::*;
-use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection};
+use terrella::cube::{CubeMap, CubeProjection, Face, Projection};
 use terrella::terrain::{Enclosure, Heights, InvalidHeights, OrientedBox, Tile};
-use terrella::{Ellipsoid, Geodetic, Shift};
+use terrella::{Ellipsoid, Geodetic, LatLon, Shift};
 use testkit::{maximum, minimum};
 
 use crate::sample::{self, Scalar};
 use crate::vector::{cross, dot, length, minus, plus, unit};
 
 /// A point of the terrain, in metres.
-fn ground<P: CubeProjection>(map: &CubeMap<f64, P>, point: FacePoint<f64>, height: f64) -> [f64; 3] {
-    let position = Geodetic::new(map.unproject(point), height).unwrap();
-    map.shifted().ellipsoid().to_ecef(position).to_array()
+fn ground(ellipsoid: Ellipsoid<f64>, place: LatLon<f64>, height: f64) -> [f64; 3] {
+    ellipsoid.to_ecef(Geodetic::new(place, height).unwrap()).to_array()
 }
 
 /// The coordinates of a point along a box's axes, in units of its extent.
@@ -39,9 +38,9 @@ fn used<T: Scalar>(
     let mut most = [0.0_f64; 3];
     for n in 0..=grid {
         for m in 0..=grid {
-            let node = tile.node([m, n], grid);
+            let place = map.unproject(tile.node([m, n], grid));
             for height in heights {
-                let point = ground(map, node, height);
+                let point = ground(map.shifted().ellipsoid(), place, height);
                 for (most, used) in most.iter_mut().zip(inside(bounds, point)) {
                     *most = maximum(*most, used.abs());
                 }
@@ -309,7 +308,7 @@ proptest! {
         let bounds = Enclosure::new(map).of(tile, Heights::new(low, low + more).unwrap());
         prop_assert!(bounds.half().into_iter().all(|h| h.is_finite() && h > 0.0));
         prop_assert!(bounds.sphere().radius.is_finite());
-        let middle = ground(&map, tile.centre(), low + 0.5 * more);
+        let middle = ground(map.shifted().ellipsoid(), map.unproject(tile.centre()), low + 0.5 * more);
         prop_assert!(inside(&bounds, middle).into_iter().all(|u| u.abs() <= 1.0));
     }
 }
