@@ -13,4 +13,6 @@ mod harness;
 pub mod position;
 pub mod projection;
 pub mod reference;
+#[cfg(test)]
+mod slices;
 pub mod validation;

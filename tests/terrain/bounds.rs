@@ -4,27 +4,23 @@
 use fastrand::Rng;
 use proptest::prelude::*;
 use rayon::prelude::*;
-use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection};
+use terrella::cube::{CubeMap, CubeProjection, Face, Projection};
 use terrella::terrain::{Enclosure, Heights, InvalidHeights, OrientedBox, Tile};
-use terrella::{Ellipsoid, Geodetic, Shift};
+use terrella::{Ellipsoid, Geodetic, LatLon, Shift};
 use testkit::{maximum, minimum};
 
 use crate::sample::{self, Scalar};
+use crate::vector::{cross, dot, length, minus, plus, unit};
 
 /// A point of the terrain, in metres.
-fn ground<P: CubeProjection>(map: &CubeMap<f64, P>, point: FacePoint<f64>, height: f64) -> [f64; 3] {
-    let position = Geodetic::new(map.unproject(point), height).unwrap();
-    map.shifted().ellipsoid().to_ecef(position).to_array()
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|k| a[k] * b[k]).sum()
+fn ground(ellipsoid: Ellipsoid<f64>, place: LatLon<f64>, height: f64) -> [f64; 3] {
+    ellipsoid.to_ecef(Geodetic::new(place, height).unwrap()).to_array()
 }
 
 /// The coordinates of a point along a box's axes, in units of its extent.
 fn inside<T: Scalar>(bounds: &OrientedBox<T>, point: [f64; 3]) -> [f64; 3] {
     let centre = bounds.centre().to_array().map(Into::into);
-    let apart: [f64; 3] = std::array::from_fn(|k| point[k] - centre[k]);
+    let apart = minus(point, centre);
     std::array::from_fn(|k| dot(apart, bounds.axes()[k].map(Into::into)) / bounds.half()[k].into())
 }
 
@@ -42,14 +38,13 @@ fn used<T: Scalar>(
     let mut most = [0.0_f64; 3];
     for n in 0..=grid {
         for m in 0..=grid {
-            let node = tile.node([m, n], grid);
+            let place = map.unproject(tile.node([m, n], grid));
             for height in heights {
-                let point = ground(map, node, height);
+                let point = ground(map.shifted().ellipsoid(), place, height);
                 for (most, used) in most.iter_mut().zip(inside(bounds, point)) {
                     *most = maximum(*most, used.abs());
                 }
-                let apart: [f64; 3] = std::array::from_fn(|k| point[k] - centre[k]);
-                assert!(dot(apart, apart).sqrt() <= radius, "{tile:?} {heights:?}");
+                assert!(length(minus(point, centre)) <= radius, "{tile:?} {heights:?}");
             }
         }
     }
@@ -178,17 +173,14 @@ fn bend(projection: Projection, tile: Tile) -> f64 {
     let face = tile.face();
     let toward = |axis: [f64; 3]| {
         let axis = face.to_earth(axis);
-        let along: [f64; 3] = std::array::from_fn(|k| axis[k] - dot(axis, middle) * middle[k]);
-        along.map(|v| v / dot(along, along).sqrt())
+        unit(plus(axis, -dot(axis, middle), middle))
     };
     let right = toward([1.0, 0.0, 0.0]);
-    let up: [f64; 3] = std::array::from_fn(|k| {
-        let (a, b) = ((k + 1) % 3, (k + 2) % 3);
-        middle[a] * right[b] - middle[b] * right[a]
-    });
+    let up = cross(middle, right);
     let seen = |node: [u32; 2]| {
         let vector = projection.unproject(tile.node(node, 2 * PARTS)).to_array();
-        [right, up].map(|axis| dot(axis, vector) / dot(middle, vector))
+        let outward = dot(middle, vector);
+        [dot(right, vector) / outward, dot(up, vector) / outward]
     };
     let width = 0.5_f64.powi(i32::from(tile.level()) - 1);
     let edges = [0, 2 * PARTS]
@@ -316,7 +308,7 @@ proptest! {
         let bounds = Enclosure::new(map).of(tile, Heights::new(low, low + more).unwrap());
         prop_assert!(bounds.half().into_iter().all(|h| h.is_finite() && h > 0.0));
         prop_assert!(bounds.sphere().radius.is_finite());
-        let middle = ground(&map, tile.centre(), low + 0.5 * more);
+        let middle = ground(map.shifted().ellipsoid(), map.unproject(tile.centre()), low + 0.5 * more);
         prop_assert!(inside(&bounds, middle).into_iter().all(|u| u.abs() <= 1.0));
     }
 }

@@ -18,4 +18,5 @@ mod scene;
 mod selection;
 mod solid_angle;
 mod tile;
+mod vector;
 mod visible;

@@ -8,6 +8,7 @@ use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
 use testkit::{maximum, minimum};
 
 use crate::sample;
+use crate::vector::{blend, length, minus};
 
 pub type Columns = [Vec<f32>; 3];
 
@@ -42,18 +43,6 @@ pub fn at(columns: &Columns, index: usize) -> [f32; 3] {
 
 pub fn map(ellipsoid: Ellipsoid<f64>, shift: Shift, projection: Projection) -> Patches<Projection> {
     Patches::new(CubeMap::new(ellipsoid, shift, projection).unwrap())
-}
-
-pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|k| a[k] * b[k]).sum()
-}
-
-pub fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-pub fn length(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
 }
 
 /// The ground by latitude and longitude.
@@ -269,11 +258,7 @@ fn slices_are_one_by_one() {
                     let count = f64::from(samples - 1);
                     let (s, t) = (f64::from(m) / count, f64::from(row) / count);
                     let ground = truth(&patches, tile, [m, row], samples - 1, base.at([m, row], samples));
-                    let expected: [f64; 3] = std::array::from_fn(|k| {
-                        let up = corners[0][k] * s + corners[1][k] * (1.0 - s);
-                        let down = corners[3][k] * s + corners[2][k] * (1.0 - s);
-                        ground[k] - (up * t + down * (1.0 - t))
-                    });
+                    let expected = minus(ground, blend(corners, s, t));
                     let error = length(minus(at(&o, k).map(f64::from), expected));
                     assert!(error <= 6e-9 + 1e-7 * length(expected), "{projection} {tile:?} {error}");
                 }
@@ -348,12 +333,7 @@ fn bulge(patches: &Patches<Projection>, tile: Tile, parts: u32) -> [f64; 2] {
             most[0] = maximum(most[0], length(at(&o, k).map(f64::from)));
             let (s, t) = (f64::from(m) / f64::from(parts), f64::from(row) / f64::from(parts));
             let own = normal(tile.node([m, row], parts));
-            let apart = std::array::from_fn(|k| {
-                let up = corners[0][k] * s + corners[1][k] * (1.0 - s);
-                let down = corners[3][k] * s + corners[2][k] * (1.0 - s);
-                own[k] - (up * t + down * (1.0 - t))
-            });
-            most[1] = maximum(most[1], length(apart));
+            most[1] = maximum(most[1], length(minus(own, blend(corners, s, t))));
         }
     }
     most

@@ -7,7 +7,8 @@ use terrella::terrain::{Base, Heights, Patches, Split, Tile};
 use terrella::{Ecef, Ellipsoid, Real, Shift};
 use testkit::maximum;
 
-use crate::patch::{length, map, minus};
+use crate::patch::map;
+use crate::vector::{length, minus};
 
 /// The ground of a height by latitude and longitude.
 fn ground(patches: &Patches<Projection>, tile: Tile, node: [u32; 2], count: u32, height: f64) -> [f64; 3] {

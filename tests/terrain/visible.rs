@@ -15,23 +15,7 @@ use terrella::terrain::{Camera, Detail, Enclosure, Heights, Horizon, Selection, 
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
 use testkit::{maximum, minimum};
 
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|k| a[k] * b[k]).sum()
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    std::array::from_fn(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3])
-}
-
-fn plus(a: Vector, s: f64, b: Vector) -> Vector {
-    std::array::from_fn(|k| a[k] + s * b[k])
-}
-
-fn unit(v: Vector) -> Vector {
-    v.map(|c| c / dot(v, v).sqrt())
-}
+use crate::vector::{Vector, cross, dot, plus, unit};
 
 fn ecef([x, y, z]: Vector) -> Ecef<f64> {
     Ecef::new(x, y, z).unwrap()

@@ -1,5 +1,4 @@
 //! Over slices: the same bits as one by one, for every length and for special values, and all of them where some are refused.
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)] // tests
 
 use terrella::batch::{self, InvalidBatch, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, Projection, QuadCube};
@@ -56,8 +55,8 @@ fn parts() -> impl Iterator<Item = core::ops::Range<usize>> {
 fn compare<T: Scalar, const I: usize, const O: usize>(
     what: &str,
     columns: &[Vec<T>; I],
-    one: impl Fn([T; I]) -> [T; O],
-    batch: impl Fn([&[T]; I], [&mut [T]; O]),
+    one: &dyn Fn([T; I]) -> [T; O],
+    batch: &dyn Fn([&[T]; I], [&mut [T]; O]),
 ) {
     let mut expected: [Vec<T>; O] = [const { Vec::new() }; O];
     for i in 0..ALL {
@@ -125,11 +124,11 @@ fn projection<T: Scalar, P: CubeProjection>(name: &str, p: P) {
     compare(
         &format!("{name} project"),
         &directions::<T>(),
-        |[x, y, z]| {
+        &|[x, y, z]| {
             let point = p.project(Direction::new(x, y, z).unwrap());
             [number(point.face()), point.x(), point.y()]
         },
-        |from, [face, x, y]| {
+        &|from, [face, x, y]| {
             let mut faces = vec![Face::Front; face.len()];
             batch::cube::project(p, from, &mut faces, [x, y]).unwrap();
             store(&faces, face);
@@ -138,8 +137,8 @@ fn projection<T: Scalar, P: CubeProjection>(name: &str, p: P) {
     compare(
         &format!("{name} unproject"),
         &points::<T>(),
-        |[face, x, y]| p.unproject(FacePoint::new(faces(&[face])[0], x, y).unwrap()).to_array(),
-        |[face, x, y], to| batch::cube::unproject(p, &faces(face), [x, y], to).unwrap(),
+        &|[face, x, y]| p.unproject(FacePoint::new(faces(&[face])[0], x, y).unwrap()).to_array(),
+        &|[face, x, y], to| batch::cube::unproject(p, &faces(face), [x, y], to).unwrap(),
     );
 }
 
@@ -148,11 +147,11 @@ fn map<T: Scalar, P: CubeProjection>(name: &str, p: P, shift: Shift) {
     compare(
         &format!("{name} map, {shift}"),
         &places::<T>(),
-        |[lat, lon]| {
+        &|[lat, lon]| {
             let point = map.project(LatLon::new(lat, lon).unwrap());
             [number(point.face()), point.x(), point.y()]
         },
-        |from, [face, x, y]| {
+        &|from, [face, x, y]| {
             let mut faces = vec![Face::Front; face.len()];
             batch::map::project(&map, from, &mut faces, [x, y]).unwrap();
             store(&faces, face);
@@ -161,11 +160,11 @@ fn map<T: Scalar, P: CubeProjection>(name: &str, p: P, shift: Shift) {
     compare(
         &format!("{name} map back, {shift}"),
         &points::<T>(),
-        |[face, x, y]| {
+        &|[face, x, y]| {
             let place = map.unproject(FacePoint::new(faces(&[face])[0], x, y).unwrap());
             [place.lat(), place.lon()]
         },
-        |[face, x, y], to| batch::map::unproject(&map, &faces(face), [x, y], to).unwrap(),
+        &|[face, x, y], to| batch::map::unproject(&map, &faces(face), [x, y], to).unwrap(),
     );
 }
 
@@ -229,13 +228,13 @@ fn every_geodesic<T: Scalar, M: Geodesic<T>>(method: &M) {
     compare(
         "inverse",
         &pairs::<T>(),
-        |[lat1, lon1, lat2, lon2]| match method
+        &|[lat1, lon1, lat2, lon2]| match method
             .inverse(LatLon::new(lat1, lon1).unwrap(), LatLon::new(lat2, lon2).unwrap())
         {
             Ok(line) => [line.distance, line.azimuth1, line.azimuth2],
             Err(_) => nothing,
         },
-        |[lat1, lon1, lat2, lon2], lines| {
+        &|[lat1, lon1, lat2, lon2], lines| {
             let places = |i: usize| {
                 let here = LatLon::new(lat1[i], lon1[i]).unwrap();
                 (here, LatLon::new(lat2[i], lon2[i]).unwrap())
@@ -264,13 +263,13 @@ fn every_geodesic<T: Scalar, M: Geodesic<T>>(method: &M) {
                 scaled(&azimuth, turns * 2.0),
                 scaled(&distance, length),
             ],
-            |[lat, lon, azimuth, distance]| {
+            &|[lat, lon, azimuth, distance]| {
                 let end = method
                     .direct(LatLon::new(lat, lon).unwrap(), azimuth, distance)
                     .unwrap();
                 [end.position.lat(), end.position.lon(), end.azimuth]
             },
-            |[lat, lon, azimuth, distance], ends| {
+            &|[lat, lon, azimuth, distance], ends| {
                 batch::geodesic::direct(method, [lat, lon], azimuth, distance, ends).unwrap();
             },
         );
@@ -419,17 +418,17 @@ fn every_position<T: Scalar>() {
     compare(
         "to_direction",
         &places::<T>(),
-        |[lat, lon]| LatLon::new(lat, lon).unwrap().to_direction().to_array(),
-        |from, to| batch::position::to_direction(from, to).unwrap(),
+        &|[lat, lon]| LatLon::new(lat, lon).unwrap().to_direction().to_array(),
+        &|from, to| batch::position::to_direction(from, to).unwrap(),
     );
     compare(
         "to_lat_lon",
         &directions::<T>(),
-        |[x, y, z]| {
+        &|[x, y, z]| {
             let place = Direction::new(x, y, z).unwrap().to_lat_lon();
             [place.lat(), place.lon()]
         },
-        |from, to| batch::position::to_lat_lon(from, to).unwrap(),
+        &|from, to| batch::position::to_lat_lon(from, to).unwrap(),
     );
     for (ellipsoid, &shift) in [Ellipsoid::WGS84, Ellipsoid::new(T::of(6e6), T::of(0.08)).unwrap()]
         .into_iter()
@@ -439,17 +438,17 @@ fn every_position<T: Scalar>() {
         compare(
             &format!("to_direction, {shift}"),
             &places::<T>(),
-            |[lat, lon]| shifted.to_direction(LatLon::new(lat, lon).unwrap()).to_array(),
-            |from, to| batch::latitude::to_direction(&shifted, from, to).unwrap(),
+            &|[lat, lon]| shifted.to_direction(LatLon::new(lat, lon).unwrap()).to_array(),
+            &|from, to| batch::latitude::to_direction(&shifted, from, to).unwrap(),
         );
         compare(
             &format!("to_lat_lon, {shift}"),
             &directions::<T>(),
-            |[x, y, z]| {
+            &|[x, y, z]| {
                 let place = shifted.to_lat_lon(Direction::new(x, y, z).unwrap());
                 [place.lat(), place.lon()]
             },
-            |from, to| batch::latitude::to_lat_lon(&shifted, from, to).unwrap(),
+            &|from, to| batch::latitude::to_lat_lon(&shifted, from, to).unwrap(),
         );
     }
 }
@@ -483,8 +482,8 @@ fn every_latitude<T: Scalar>() {
             compare(
                 &format!("{from} to {to} in degrees"),
                 &[values.to_vec()],
-                |[value]| [conversion.degrees(value).unwrap()],
-                |[from], [to]| batch::latitude::degrees(&conversion, from, to).unwrap(),
+                &|[value]| [conversion.degrees(value).unwrap()],
+                &|[from], [to]| batch::latitude::degrees(&conversion, from, to).unwrap(),
             );
             let values = if from == Latitude::Isometric {
                 &isometric
@@ -494,8 +493,8 @@ fn every_latitude<T: Scalar>() {
             compare(
                 &format!("{from} to {to} in radians"),
                 &[values.to_vec()],
-                |[value]| [conversion.radians(value).unwrap()],
-                |[from], [to]| batch::latitude::radians(&conversion, from, to).unwrap(),
+                &|[value]| [conversion.radians(value).unwrap()],
+                &|[from], [to]| batch::latitude::radians(&conversion, from, to).unwrap(),
             );
         }
     }
@@ -519,21 +518,21 @@ fn every_ecef<T: Scalar>() {
         compare(
             "to_ecef",
             &[lat.clone(), lon.clone(), heights],
-            |[lat, lon, height]| {
+            &|[lat, lon, height]| {
                 let place = Geodetic::new(LatLon::new(lat, lon).unwrap(), height).unwrap();
                 ellipsoid.to_ecef(place).to_array()
             },
-            |from, to| batch::ellipsoid::to_ecef(ellipsoid, from, to).unwrap(),
+            &|from, to| batch::ellipsoid::to_ecef(ellipsoid, from, to).unwrap(),
         );
         for special in [&sizes[..], &[]] {
             compare(
                 "to_geodetic",
                 &[11, 12, 13].map(|seed| scaled(&numbers(seed, special), 7e6)),
-                |[x, y, z]| {
+                &|[x, y, z]| {
                     let place = ellipsoid.to_geodetic(Ecef::new(x, y, z).unwrap());
                     [place.lat(), place.lon(), place.height()]
                 },
-                |from, to| batch::ellipsoid::to_geodetic(ellipsoid, from, to).unwrap(),
+                &|from, to| batch::ellipsoid::to_geodetic(ellipsoid, from, to).unwrap(),
             );
         }
     }
@@ -558,20 +557,20 @@ fn not_kept<T: Scalar>() {
     compare(
         "vectors",
         &vectors,
-        |[x, y, z]| {
+        &|[x, y, z]| {
             let place = Direction::new(x, y, z).unwrap().to_lat_lon();
             [place.lat(), place.lon()]
         },
-        |from, to| batch::position::to_lat_lon(from, to).unwrap(),
+        &|from, to| batch::position::to_lat_lon(from, to).unwrap(),
     );
     compare(
         "vectors on faces",
         &vectors,
-        |[x, y, z]| {
+        &|[x, y, z]| {
             let point = Projection::Balanced.project(Direction::new(x, y, z).unwrap());
             [number(point.face()), point.x(), point.y()]
         },
-        |from, [face, x, y]| {
+        &|from, [face, x, y]| {
             let mut faces = vec![Face::Front; face.len()];
             batch::cube::project(Projection::Balanced, from, &mut faces, [x, y]).unwrap();
             store(&faces, face);
@@ -587,11 +586,11 @@ fn not_kept<T: Scalar>() {
     compare(
         "longitudes",
         &[lat.clone(), lon.clone()],
-        |[lat, lon]| {
+        &|[lat, lon]| {
             let point = map.project(LatLon::new(lat, lon).unwrap());
             [number(point.face()), point.x(), point.y()]
         },
-        |from, [face, x, y]| {
+        &|from, [face, x, y]| {
             let mut faces = vec![Face::Front; face.len()];
             batch::map::project(&map, from, &mut faces, [x, y]).unwrap();
             store(&faces, face);
@@ -601,11 +600,11 @@ fn not_kept<T: Scalar>() {
     compare(
         "longitudes with heights",
         &[lat.clone(), lon, lat],
-        |[lat, lon, height]| {
+        &|[lat, lon, height]| {
             let place = Geodetic::new(LatLon::new(lat, lon).unwrap(), height).unwrap();
             earth.to_ecef(place).to_array()
         },
-        |from, to| batch::ellipsoid::to_ecef(earth, from, to).unwrap(),
+        &|from, to| batch::ellipsoid::to_ecef(earth, from, to).unwrap(),
     );
 }
 
@@ -620,7 +619,7 @@ fn what_the_constructors_change_is_changed() {
 fn refuse<T: Scalar, E: PartialEq + core::fmt::Debug, const I: usize, const O: usize>(
     good: [f64; I],
     bad: &[([f64; I], E)],
-    batch: impl Fn([&[T]; I], [&mut [T]; O]) -> Result<(), InvalidBatch<E>>,
+    batch: &dyn Fn([&[T]; I], [&mut [T]; O]) -> Result<(), InvalidBatch<E>>,
 ) {
     let mark = T::of(7.0);
     let columns = good.map(|value| vec![T::of(value); 200]);
@@ -713,35 +712,35 @@ fn every_refusal<T: Scalar + PartialEq>() {
     let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, Projection::Vertex).unwrap();
     let earth = Ellipsoid::<T>::WGS84;
 
-    refuse::<T, _, 3, 2>([1.0, 0.0, 0.0], &vectors, batch::position::to_lat_lon);
-    refuse::<T, _, 3, 2>([3.0, 0.0, 0.0], &vectors, |from, to| {
+    refuse::<T, _, 3, 2>([1.0, 0.0, 0.0], &vectors, &batch::position::to_lat_lon);
+    refuse::<T, _, 3, 2>([3.0, 0.0, 0.0], &vectors, &|from, to| {
         batch::latitude::to_lat_lon(&shifted, from, to)
     });
-    refuse::<T, _, 2, 3>([1.0, 0.0], &places, batch::position::to_direction);
-    refuse::<T, _, 2, 3>([1.0, 300.0], &places, |from, to| {
+    refuse::<T, _, 2, 3>([1.0, 0.0], &places, &batch::position::to_direction);
+    refuse::<T, _, 2, 3>([1.0, 300.0], &places, &|from, to| {
         batch::latitude::to_direction(&shifted, from, to)
     });
-    refuse::<T, _, 3, 3>([1.0, 0.0, 0.0], &vectors, |from, [face, x, y]| {
+    refuse::<T, _, 3, 3>([1.0, 0.0, 0.0], &vectors, &|from, [face, x, y]| {
         with_faces(face, |faces| {
             batch::cube::project(Projection::Vertex, from, faces, [x, y])
         })
     });
-    refuse::<T, _, 2, 3>([1.0, 0.0], &places, |from, [face, x, y]| {
+    refuse::<T, _, 2, 3>([1.0, 0.0], &places, &|from, [face, x, y]| {
         with_faces(face, |faces| batch::map::project(&map, from, faces, [x, y]))
     });
-    refuse::<T, _, 3, 3>([0.5, 0.5, 4.0], &points, |[x, y, numbers], to| {
+    refuse::<T, _, 3, 3>([0.5, 0.5, 4.0], &points, &|[x, y, numbers], to| {
         batch::cube::unproject(Projection::Vertex, &bytes(numbers), [x, y], to)
     });
-    refuse::<T, _, 3, 2>([0.5, 0.5, 4.0], &points, |[x, y, numbers], to| {
+    refuse::<T, _, 3, 2>([0.5, 0.5, 4.0], &points, &|[x, y, numbers], to| {
         batch::map::unproject(&map, &bytes(numbers), [x, y], to)
     });
 
     let conversion = Conversion::new(earth, Latitude::Geodetic, Latitude::Authalic).unwrap();
     let latitudes = [nan, 91.0, -100.0, infinite].map(|value| ([value], InvalidLatitude(of(value))));
-    refuse::<T, _, 1, 1>([45.0], &latitudes, |[from], [to]| {
+    refuse::<T, _, 1, 1>([45.0], &latitudes, &|[from], [to]| {
         batch::latitude::degrees(&conversion, from, to)
     });
-    refuse::<T, _, 1, 1>([0.5], &latitudes, |[from], [to]| {
+    refuse::<T, _, 1, 1>([0.5], &latitudes, &|[from], [to]| {
         batch::latitude::radians(&conversion, from, to)
     });
 
@@ -756,7 +755,7 @@ fn every_refusal<T: Scalar + PartialEq>() {
             },
         )
     });
-    refuse::<T, _, 3, 3>([7e6, 0.0, 0.0], &ecef, |from, to| {
+    refuse::<T, _, 3, 3>([7e6, 0.0, 0.0], &ecef, &|from, to| {
         batch::ellipsoid::to_geodetic(earth, from, to)
     });
     let mut geodetic: Vec<_> = places
@@ -767,7 +766,7 @@ fn every_refusal<T: Scalar + PartialEq>() {
         let why = InvalidHeight { height: of(height) };
         geodetic.push(([0.0, 200.0, height], InvalidGeodetic::Height(why)));
     }
-    refuse::<T, _, 3, 3>([1.0, 2.0, 3.0], &geodetic, |from, to| {
+    refuse::<T, _, 3, 3>([1.0, 2.0, 3.0], &geodetic, &|from, to| {
         batch::ellipsoid::to_ecef(earth, from, to)
     });
 }
