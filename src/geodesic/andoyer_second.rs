@@ -1,5 +1,5 @@
-use super::andoyer::arc::{Departure, Ends, waves};
-use super::angle::{heading, northward_between_poles, wrapped};
+use super::andoyer::arc::{Departure, Ends, arc, waves};
+use super::angle::{heading, northward_between_poles};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
@@ -131,11 +131,7 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
         let start = Departure::new(self.axes, from, heading(azimuth, distance)?);
         let series = self.series(start.cos2_alpha0());
         let radius = self.a * (self.axes * series.a1);
-        let whole = distance / radius;
-        if !whole.is_finite() {
-            return Err(GeodesicError::quotient(distance, radius));
-        }
-        let tau = whole.remainder(T::of(2.0 * core::f64::consts::PI));
+        let (tau, whole) = arc(distance, radius)?;
         let mut sigma = tau;
         for _ in 0..2 {
             let turn = sin_cos(sigma);
@@ -144,11 +140,6 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
         let turn = sin_cos(sigma);
         let lag = waves(&series.c3, 1, turn, start.cos_2sigma_m(turn));
         let shift = self.f * start.sin_alpha0() * series.a3 * ((sigma + (whole - tau)) + lag);
-        let end = start.end(self.axes, turn);
-        let lon = end.lon - (shift * T::of(180.0 / core::f64::consts::PI)).remainder(T::of(360.0));
-        Ok(Direct {
-            position: LatLon::within(end.lat, wrapped(wrapped(lon) + from.lon())),
-            azimuth: end.azimuth,
-        })
+        Ok(start.end(turn, shift))
     }
 }

@@ -40,6 +40,7 @@ use method::methods;
 methods! {
     plane::Plane |e, place| Plane::new(e, place);
     flat::Flat |e| Flat::new(e);
+    gauss::Gauss |e| Gauss::new(e);
     great_circle::GreatCircle |e| Ok(GreatCircle::mean(e));
     andoyer::Andoyer |e| Andoyer::new(e);
     bowring::Bowring |e| Bowring::new(e);

@@ -26,7 +26,7 @@ macro_rules! methods {
             /// [`Haversine`](crate::geodesic::Haversine), [`Bowring`](crate::geodesic::Bowring),
             /// [`AndoyerSecond`](crate::geodesic::AndoyerSecond) and [`Vincenty`](crate::geodesic::Vincenty)
             /// are not among them: each takes more instructions than a method with a smaller error, and
-            /// [`Vincenty`] does not answer everywhere.
+            /// [`Vincenty`] does not answer everywhere. [`Gauss`](crate::geodesic::Gauss) has no bound yet.
             ///
             /// Let s be a distance, σ = s/b, x = max(0, 2σ/π − 1), r = a(1 − f)², δ the half width of the
             /// band of latitudes in radians, φ its latitude farthest from the equator and φ₀ the nearest. Let

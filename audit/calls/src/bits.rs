@@ -132,6 +132,7 @@ macro_rules! parts {
         }
     )*};
 }
+pub(crate) use parts;
 
 parts! {
     LatLon |p| (LatLon::lat(*p), LatLon::lon(*p));

@@ -7,6 +7,7 @@ use terrella::terrain::{
 };
 use terrella::{Direction, Ecef, Ellipsoid, Shift, Shifted};
 
+use crate::bits::parts as scalar_parts;
 use crate::{Arguments, Bits, Function, Hash, Scalar, Visitor};
 
 /// The samples along an edge of a patch.
@@ -498,18 +499,6 @@ impl Bits for Along {
         (Along::edge(self), Along::turns(self), self.len()).add_to(hash);
         (*self).for_each(|tile| tile.add_to(hash));
     }
-}
-
-/// The same for what has a scalar.
-macro_rules! scalar_parts {
-    ($($type:ident |$value:ident| $parts:expr;)*) => {$(
-        impl<T: Scalar> Bits for $type<T> {
-            fn add_to(&self, hash: &mut Hash) {
-                let $value = self;
-                $parts.add_to(hash);
-            }
-        }
-    )*};
 }
 
 scalar_parts! {

@@ -1,9 +1,12 @@
 //! Great circles of the auxiliary sphere in closed form: what [`Andoyer`](super::Andoyer) and
-//! [`AndoyerSecond`](super::second::AndoyerSecond) share.
+//! [`AndoyerSecond`](crate::geodesic::AndoyerSecond) share.
 
-use crate::geodesic::angle::{Angle, latitude_difference, longitude_difference, off_pole};
-use crate::geodesic::great_circle::{End, end};
+use core::f64::consts::PI;
+
+use crate::geodesic::angle::{Angle, latitude_difference, longitude_difference, off_pole, wrapped};
+use crate::geodesic::great_circle::end;
 use crate::geodesic::sphere::{Start, Triangle, parametric};
+use crate::geodesic::{Direct, GeodesicError};
 use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, max, min, select, sin_cos};
 use crate::{LatLon, Real};
 
@@ -65,7 +68,7 @@ impl<T: Real> Ends<T> {
             beta2,
             rise: max(rise.abs(), least).copysign(rise),
             side: select(far, -T::ONE, T::ONE),
-            lambda12: lon12 * T::of(core::f64::consts::PI / 180.0),
+            lambda12: lon12 * T::of(PI / 180.0),
             east,
         }
     }
@@ -158,6 +161,9 @@ pub fn waves<T: Real>(c: &[T], terms: usize, (sin, cos): (T, T), cos_mu: T) -> T
 
 /// A great circle from a place along an azimuth.
 pub struct Departure<T> {
+    from: LatLon<T>,
+    /// b/a.
+    axes: T,
     start: Start<T>,
     /// Sine and cosine of 2σ₁.
     twice: (T, T),
@@ -177,7 +183,12 @@ impl<T: Real> Departure<T> {
             (sin1 + sin1) * along / divisor,
             (along - sin1) * (along + sin1) / divisor,
         );
-        Self { start, twice }
+        Self {
+            from,
+            axes,
+            start,
+            twice,
+        }
     }
 
     #[inline(always)]
@@ -197,10 +208,25 @@ impl<T: Real> Departure<T> {
         cos_twice * cos - sin_twice * sin
     }
 
-    /// The end of the arc with this sine and cosine.
+    /// The end of the arc with this sine and cosine, its longitude less by so many radians.
     #[inline(always)]
-    pub fn end(&self, axes: T, arc: (T, T)) -> End<T> {
+    pub fn end(&self, arc: (T, T), shift: T) -> Direct<T> {
         let Start { beta1, alpha1, .. } = self.start;
-        end((beta1.sin, beta1.cos), (alpha1.sin, alpha1.cos), arc, axes)
+        let end = end((beta1.sin, beta1.cos), (alpha1.sin, alpha1.cos), arc, self.axes);
+        let lon = end.lon - (shift * T::of(180.0 / PI)).remainder(T::of(360.0));
+        Direct {
+            position: LatLon::within(end.lat, wrapped(wrapped(lon) + self.from.lon())),
+            azimuth: end.azimuth,
+        }
     }
+}
+
+/// A distance as an arc in radians: without whole circuits, and with them.
+#[inline(always)]
+pub fn arc<T: Real>(distance: T, radius: T) -> Result<(T, T), GeodesicError<T>> {
+    let whole = distance / radius;
+    if !whole.is_finite() {
+        return Err(GeodesicError::quotient(distance, radius));
+    }
+    Ok((whole.remainder(T::of(2.0 * PI)), whole))
 }

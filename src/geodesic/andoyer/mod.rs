@@ -1,4 +1,4 @@
-use super::angle::{heading, northward_between_poles, wrapped};
+use super::angle::{heading, northward_between_poles};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
@@ -107,19 +107,10 @@ impl<T: Real> Geodesic<T> for Andoyer<T> {
         // order.
         let half = T::of(0.5) * self.f * start.cos2_alpha0();
         let radius = self.a * (self.axes + half);
-        let whole = distance / radius;
-        if !whole.is_finite() {
-            return Err(GeodesicError::quotient(distance, radius));
-        }
-        let tau = whole.remainder(T::of(2.0 * core::f64::consts::PI));
+        let (tau, whole) = arc::arc(distance, radius)?;
         let turn = sin_cos(tau);
         let sigma = tau + half * turn.0 * start.cos_2sigma_m(turn);
-        let end = start.end(self.axes, sin_cos(sigma));
         let shift = self.f * start.sin_alpha0() * (sigma + (whole - tau));
-        let lon = end.lon - (shift * T::of(180.0 / core::f64::consts::PI)).remainder(T::of(360.0));
-        Ok(Direct {
-            position: LatLon::within(end.lat, wrapped(wrapped(lon) + from.lon())),
-            azimuth: end.azimuth,
-        })
+        Ok(start.end(sin_cos(sigma), shift))
     }
 }
