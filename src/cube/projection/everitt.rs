@@ -1,6 +1,6 @@
 use super::decay::smooth;
 use super::profile::projection;
-use super::{CubeProjection, Face, from_gnomonic};
+use super::{CubeProjection, Face, normalise};
 use crate::Real;
 
 projection! {
@@ -36,11 +36,10 @@ impl CubeProjection for Everitt {
 
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
-        // The smaller root, without the difference.
-        let gnomonic = |x: T| {
-            let discriminant = T::of(E * E) - T::of(4.0 * (E - 1.0)) * x.abs();
-            x * T::of(2.0) / (T::of(E) + discriminant.sqrt())
-        };
-        from_gnomonic([gnomonic(x), gnomonic(y)])
+        // The smaller root, without the difference, is 2x/d(x); the vector is multiplied by both denominators.
+        let denominator = |x: T| T::of(E) + (T::of(E * E) - T::of(4.0 * (E - 1.0)) * x.abs()).sqrt();
+        let (dx, dy) = (denominator(x), denominator(y));
+        let two = T::of(2.0);
+        normalise([two * x * dy, two * y * dx, dx * dy])
     }
 }
