@@ -42,16 +42,19 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
 #[cfg_attr(not(small), inline(always))]
 pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
     let reduced = Reduced::new(y, x);
-    let high = reduced.base(T::pick(26.565_051_177_077_99, 26.565_052), T::of(45.0));
-    let low = reduced.base(T::pick(-6.673_432_494_950_659e-16, -8.553_927e-7), T::ZERO);
-    // 180/π is split so that its head times the remainder's head is exact.
-    let k1 = T::pick(57.295_779_228_210_45, 57.281_25);
-    let k2 = T::pick(2.848_718_716_580_481_4e-7, 0.014_529_513);
-    let r = reduced.tangent;
-    let z = r * r;
-    let (head, tail) = r.split();
-    let curve = r * z * z.polynomial(&ATAN) * (k1 + k2);
-    let small = head * k1 + (curve + (tail * k1 + r * k2 + (reduced.lost * k1 + low)));
+    let (high, small) = reduced.degrees();
+    reduced.opened((high, small), (T::of(90.0), T::ZERO)).copysign(y)
+}
+
+/// [`atan2_degrees`], turned away from y = 0 by a small angle in radians: rounded once.
+///
+/// The larger coordinate must be far from the ends of the scalar's range; x ≥ 0, or the small angle 0.
+#[cfg_attr(not(small), inline(always))]
+pub(crate) fn turned_degrees<T: Real>(y: T, x: T, turn: T) -> T {
+    let reduced = Reduced::of_moderate(y, x);
+    let (high, small) = reduced.degrees();
+    let turn = T::of(180.0 / core::f64::consts::PI) * turn;
+    let small = small + select(reduced.steep, -turn, turn);
     reduced.opened((high, small), (T::of(90.0), T::ZERO)).copysign(y)
 }
 
@@ -123,7 +126,19 @@ impl<T: Real> Reduced<T> {
             grow,
             select(larger > T::pick(1e200, 1e20), shrink, T::ONE),
         );
-        let (larger, smaller) = (larger * scale, smaller * scale);
+        Self::of(larger * scale, smaller * scale, y > x, side)
+    }
+
+    /// For coordinates of which the larger is far from the ends of the scalar's range.
+    #[inline(always)]
+    fn of_moderate(y: T, x: T) -> Self {
+        let side = T::ONE.copysign(x);
+        let (y, x) = (y.abs(), x.abs());
+        Self::of(max(x, y), min(y, x), y > x, side)
+    }
+
+    #[inline(always)]
+    fn of(larger: T, smaller: T, steep: bool, side: T) -> Self {
         let beyond = [
             either(smaller > larger * T::of(7.0 / 16.0), T::ONE),
             either(smaller > larger * T::of(11.0 / 16.0), T::ONE),
@@ -139,7 +154,7 @@ impl<T: Real> Reduced<T> {
         let product = tangent * denominator;
         let rounding = ((th * dh - product) + th * dl + tl * dh) + tl * dl;
         Self {
-            steep: y > x,
+            steep,
             side,
             beyond,
             tangent,
@@ -152,6 +167,22 @@ impl<T: Real> Reduced<T> {
     #[inline(always)]
     fn base(&self, second: T, third: T) -> T {
         self.beyond[0] * second + self.beyond[1] * (third - second)
+    }
+
+    /// The base angle and the rest in degrees.
+    #[inline(always)]
+    fn degrees(&self) -> (T, T) {
+        let high = self.base(T::pick(26.565_051_177_077_99, 26.565_052), T::of(45.0));
+        let low = self.base(T::pick(-6.673_432_494_950_659e-16, -8.553_927e-7), T::ZERO);
+        // 180/π is split so that its head times the remainder's head is exact.
+        let k1 = T::pick(57.295_779_228_210_45, 57.281_25);
+        let k2 = T::pick(2.848_718_716_580_481_4e-7, 0.014_529_513);
+        let r = self.tangent;
+        let z = r * r;
+        let (head, tail) = r.split();
+        let curve = r * z * z.polynomial(&ATAN) * (k1 + k2);
+        let small = head * k1 + (curve + (tail * k1 + r * k2 + (self.lost * k1 + low)));
+        (high, small)
     }
 
     /// The angle from the x axis to the point, in [0, π]; rounded once.
