@@ -9,6 +9,7 @@ mod local;
 mod nearest;
 mod offset;
 mod round_trip;
+mod series;
 
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon};
 use testkit::truth::Scalar;
