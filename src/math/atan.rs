@@ -15,6 +15,15 @@ pub fn atan<T: Real>(x: T) -> T {
     radians(x, T::ONE)
 }
 
+/// [`atan`] of a number that is far from the largest.
+#[inline(always)]
+pub(crate) fn atan_moderate<T: Real>(x: T) -> T {
+    if cfg!(small) {
+        return atan(x);
+    }
+    Reduced::of_moderate(x, T::ONE).radians().copysign(x)
+}
+
 /// Returns the angle from the x axis to the point (x, y) in radians, in [−π, π].
 ///
 /// The error is below 0.85 ulp for finite coordinates of any size. Signs of zero count as for `f64::atan2`:
@@ -82,18 +91,7 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
 
 #[cfg_attr(not(small), inline(always))]
 fn radians<T: Real>(y: T, x: T) -> T {
-    let reduced = Reduced::new(y, x);
-    let eighth = T::pick(core::f64::consts::FRAC_PI_4, core::f32::consts::FRAC_PI_4);
-    let eighth_low = T::pick(3.061_616_997_868_383e-17, -2.185_569_4e-8);
-    let high = reduced.base(T::pick(0.463_647_609_000_806_1, 0.463_647_6), eighth);
-    let low = reduced.base(T::pick(2.269_877_745_296_168_7e-17, 5.012_158_7e-9), eighth_low);
-    let r = reduced.tangent;
-    let z = r * r;
-    let small = r + (r * z * z.polynomial(&ATAN) + (reduced.lost + low));
-    let two = T::of(2.0);
-    reduced
-        .opened((high, small), (two * eighth, two * eighth_low))
-        .copysign(y)
+    Reduced::new(y, x).radians().copysign(y)
 }
 
 /// An angle between an axis and a diagonal, as the sum of a base angle, whose tangent is 0, ½ or 1, and a
@@ -167,6 +165,20 @@ impl<T: Real> Reduced<T> {
     #[inline(always)]
     fn base(&self, second: T, third: T) -> T {
         self.beyond[0] * second + self.beyond[1] * (third - second)
+    }
+
+    /// The angle from the x axis to the point in radians, in [0, π].
+    #[inline(always)]
+    fn radians(self) -> T {
+        let eighth = T::pick(core::f64::consts::FRAC_PI_4, core::f32::consts::FRAC_PI_4);
+        let eighth_low = T::pick(3.061_616_997_868_383e-17, -2.185_569_4e-8);
+        let high = self.base(T::pick(0.463_647_609_000_806_1, 0.463_647_6), eighth);
+        let low = self.base(T::pick(2.269_877_745_296_168_7e-17, 5.012_158_7e-9), eighth_low);
+        let r = self.tangent;
+        let z = r * r;
+        let small = r + (r * z * z.polynomial(&ATAN) + (self.lost + low));
+        let two = T::of(2.0);
+        self.opened((high, small), (two * eighth, two * eighth_low))
     }
 
     /// The base angle and the rest in degrees.

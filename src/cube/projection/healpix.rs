@@ -3,7 +3,7 @@ use core::f64::consts::FRAC_PI_4;
 use super::decay::creased;
 use super::profile::{Kept, projection};
 use super::{CubeProjection, Face, on_face};
-use crate::math::{atan, either, select, tan};
+use crate::math::{atan_moderate, either, select, tan};
 use crate::{Direction, Real};
 
 projection! {
@@ -39,7 +39,7 @@ projection! {
 /// 4/π·atan t for |t| ≤ 1, exact at ±1.
 #[inline(always)]
 fn share<T: Real>(t: T) -> T {
-    atan(t) / T::of(FRAC_PI_4)
+    atan_moderate(t) / T::of(FRAC_PI_4)
 }
 
 /// tan(πx/4), exact at ±1.

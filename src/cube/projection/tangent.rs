@@ -12,8 +12,8 @@ macro_rules! tangent {
                 let scale = $crate::math::tan(T::of($theta));
                 let unit = $crate::math::atan(scale);
                 [
-                    $crate::math::atan(right / outward * scale) / unit,
-                    $crate::math::atan(up / outward * scale) / unit,
+                    $crate::math::atan_moderate(right / outward * scale) / unit,
+                    $crate::math::atan_moderate(up / outward * scale) / unit,
                 ]
             }
 
