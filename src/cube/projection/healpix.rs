@@ -30,7 +30,7 @@ projection! {
         aspect_ratio: 3.334,
         oversize: 3.334,
         deformation: 49.3,
-        forward: Trigonometric, error [5.3e-16, 2.9e-7], instructions [310, 270];
+        forward: Trigonometric, error [5.3e-16, 2.9e-7], instructions [290, 240];
         inverse: Trigonometric, error [5.2e-16, 2.9e-7], instructions [130, 100];
         tiles: creased(0.565, 2.77),
     }

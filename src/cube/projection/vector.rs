@@ -15,12 +15,12 @@ pub(super) fn from_gnomonic<T: Real>([u, v]: [T; 2]) -> [T; 3] {
     normalise([u, v, T::ONE])
 }
 
-/// The unit vector of a vector whose squares neither vanish nor overflow: one square root, one division. What
-/// the division loses changes the length alone.
+/// The unit vector of a vector whose squares neither vanish nor overflow: one division, one square root, in this
+/// order, as a root halves what was lost before it. What both lose changes the length alone.
 ///
 /// On a cube's edge two components agree; the order of the sum keeps the result the same from both faces.
 #[inline(always)]
 pub(super) fn normalise<T: Real>([x, y, z]: [T; 3]) -> [T; 3] {
-    let inverse = T::ONE / (x * x + y * y + z * z).sqrt();
+    let inverse = (T::ONE / (x * x + y * y + z * z)).sqrt();
     [x * inverse, y * inverse, z * inverse]
 }
