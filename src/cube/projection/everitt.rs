@@ -1,6 +1,6 @@
 use super::decay::smooth;
 use super::profile::projection;
-use super::{CubeProjection, Face, normalise};
+use super::{CubeProjection, Face, from_gnomonic};
 use crate::Real;
 
 projection! {
@@ -20,7 +20,7 @@ projection! {
         oversize: 2.420,
         deformation: 31.1,
         forward: Algebraic, error [2.9e-16, 1.6e-7], instructions [73, 71];
-        inverse: Algebraic, error [2.9e-16, 1.6e-7], instructions [57, 51];
+        inverse: Algebraic, error [2.9e-16, 1.6e-7], instructions [49, 45];
         tiles: smooth(0.83, 0.96),
     }
 }
@@ -36,10 +36,11 @@ impl CubeProjection for Everitt {
 
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
-        // The smaller root, without the difference, is 2x/d(x); the vector is multiplied by both denominators.
-        let denominator = |x: T| T::of(E) + (T::of(E * E) - T::of(4.0 * (E - 1.0)) * x.abs()).sqrt();
-        let (dx, dy) = (denominator(x), denominator(y));
-        let two = T::of(2.0);
-        normalise([two * x * dy, two * y * dx, dx * dy])
+        // The smaller root, without the difference.
+        let gnomonic = |x: T| {
+            let discriminant = T::of(E * E) - T::of(4.0 * (E - 1.0)) * x.abs();
+            x * T::of(2.0) / (T::of(E) + discriminant.sqrt())
+        };
+        from_gnomonic([gnomonic(x), gnomonic(y)])
     }
 }
