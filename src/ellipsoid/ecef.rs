@@ -1,7 +1,7 @@
 use super::Ellipsoid;
 use crate::math::{
     atan2, atan2_degrees, cbrt, hypotenuse, max, min, product, product_of_any, select, sin_cos,
-    sin_cos_degrees_with_rest, sum,
+    sin_cos_degrees_with_rest, sum, turned_degrees,
 };
 use crate::position::angle_degrees;
 use crate::{Direction, Ecef, Geodetic, LatLon, Real};
@@ -88,10 +88,10 @@ impl<T: Real> Ellipsoid<T> {
     /// evolute itself, any error moves the latitude by its square root, but the point found is as near as the
     /// nearest. These errors hold for axes within a factor of 100 of each other.
     ///
-    /// Two steps of Bowring's method (Survey Review 23, 1976) follow his later guess (Survey Review 28,
-    /// 1985), in a straight line. Where they are not enough (within 0.2 a of the Earth's centre, on the axis,
-    /// and everywhere for ellipsoids flatter than about 1/70), the quartic of Vermeille (J. Geodesy 76, 2002;
-    /// 85, 2011) as solved by Karney is used instead, out of line and twice as slow.
+    /// A series in e²a/r and one step of Newton's method, in a straight line, lead from the geocentric to the
+    /// geodetic latitude. Where they are not enough (within 75 e²a of the Earth's centre, which is half of its
+    /// radius; on the axis; and everywhere for ellipsoids flatter than about 1/150), the quartic of Vermeille
+    /// (J. Geodesy 76, 2002; 85, 2011) as solved by Karney is used instead, out of line and twice as slow.
     ///
     /// ```
     /// use terrella::{Ecef, Ellipsoid};
@@ -113,44 +113,79 @@ impl<T: Real> Ellipsoid<T> {
         }
     }
 
-    /// Whether the straight line holds for a point.
+    /// Whether the straight line holds for a point: e² and e²a/r are at most 1/75.
     #[inline(always)]
     pub(crate) fn is_ordinary(self, point: Ecef<T>) -> bool {
         let [x, y, z] = point.to_array();
         let across = x * x + y * y;
         let square = across + z * z;
-        let inner = self.newton_radius();
-        (square > inner * inner) & (across > T::pick(1e-250, 1e-30)) & (square < T::pick(1e300, 1e36))
+        let most = T::of(75.0);
+        let inner = self.e2() * self.a * most;
+        (square > inner * inner)
+            & (self.e2().abs() * most < T::ONE)
+            & (across > T::pick(1e-250, 1e-30))
+            & (square < T::pick(1e300, 1e36))
     }
 
     /// [`Self::to_geodetic`] in a straight line.
+    ///
+    /// With r, S, C the distance from the centre, the sine and cosine of the geocentric latitude, and T the
+    /// tangent of the geodetic less the geocentric latitude: T = εpq/√(1 + T² − e²p²), where ε = e²a/r, p = S +
+    /// CT and q = C − ST. All but S and C is small: the terms to the third order in ε and e², then one step of
+    /// Newton's method.
     #[inline(always)]
     pub(crate) fn to_geodetic_ordinary(self, point: Ecef<T>) -> Geodetic<T> {
         let [x, y, z] = point.to_array();
-        let (rho, rho_lost) = hypotenuse(x, y);
-        let (sin, cos) = self.normal(rho, z);
-        let (lat, height) = self.settle((rho, rho_lost), z, sin, cos);
-        Geodetic::within(LatLon::within(lat, atan2_degrees(y, x)), height)
+        let (one, two, half) = (T::ONE, T::of(2.0), T::of(0.5));
+        let e2 = self.e2();
+        let [(xx, xx_lost), (yy, yy_lost), (zz, zz_lost)] = [x, y, z].map(|v| product(v, v));
+        let (across, across_lost) = sum(xx, yy);
+        let (square, square_lost) = sum(across, zz);
+        let rho = across.sqrt();
+        let r = square.sqrt();
+        let inverse = one / r;
+        // Northern: the latitude takes the sign of z at the end.
+        let (s, c) = (z.abs() * inverse, rho * inverse);
+        let epsilon = e2 * self.a * inverse;
+        let (ss, cc, m) = (zz / square, c * c, s * c);
+        let (d, mm) = (cc - ss, m * m);
+
+        // w = √(1 − e² sin²) of the geocentric latitude.
+        let squeeze = e2 * ss;
+        let w = (one - squeeze).sqrt();
+        let v = one / w;
+        let vv = v * v;
+
+        let ed = epsilon * d;
+        let third =
+            epsilon * (ed * d - T::of(1.5) * epsilon * mm + d * squeeze + e2 * mm) + T::of(0.375) * squeeze * squeeze;
+        let t = epsilon * m * (one + ((ed + half * squeeze) + third));
+        // g(T) − T and g′(T).
+        let n = m + t * (d - m * t);
+        let pc = m + cc * t;
+        let rest = t * (t - e2 * (m + pc)) * vv;
+        let u = v - v * rest * (half - T::of(0.375) * rest);
+        let g = epsilon * n * u;
+        let slope = epsilon * u * ((d - two * m * t) - m * (t - e2 * pc));
+        let t1 = t + (g - t) / (one - slope);
+        let tt = t1 * t1;
+        let turn = t1 - t1 * tt * (T::of(1.0 / 3.0) - T::of(0.2) * tt);
+        let [lat, lon] = [turned_degrees(z, rho, turn), turned_degrees(y, x, T::ZERO)];
+
+        // h = r cos δ − a√(1 − e² sin²φ), and an error of T counts by its square.
+        let (back, back_lost) = product(r, r);
+        let lost = (square - back) + (square_lost + across_lost + (xx_lost + yy_lost + zz_lost) - back_lost);
+        let tt = t * t;
+        let sag = tt * (half - tt * (T::of(0.375) - T::of(0.3125) * tt));
+        let shift = e2 * vv * (t * (m + m + d * t)) * (one - tt * (one - tt));
+        let bend = w * shift * (half + shift * (T::of(0.125) + T::of(0.0625) * shift));
+        let drop = self.a * (squeeze / (one + w) + bend) - r * sag;
+        let height = (r - self.a) + (drop + lost * (half * inverse));
+        Geodetic::within(LatLon::within(lat, lon), height)
     }
 
-    /// The distance from the centre beyond which two steps of [`Self::normal`] are enough, for any
-    /// flattening.
-    #[inline(always)]
-    fn newton_radius(self) -> T {
-        let e2 = self.e2().abs();
-        self.a * e2 * (T::of(24.0) + T::of(400.0) * e2) / min(T::ONE, T::ONE - self.f)
-    }
-
-    /// Sine and cosine of the latitude but for a common factor, by Bowring's method.
-    #[inline(always)]
-    fn normal(self, rho: T, z: T) -> (T, T) {
-        let r = (rho * rho + z * z).sqrt();
-        let rise = z * (self.e2() * self.a / (T::ONE - self.f) / r);
-        self.step(rho, z, self.step(rho, z, (z + rise, rho)))
-    }
-
-    /// The direction to P from the centre of curvature that belongs to a latitude: Newton's method, were it
-    /// for one unknown.
+    /// The direction to P from the centre of curvature that belongs to a latitude (Bowring, Survey Review 23,
+    /// 1976): Newton's method, were it for one unknown.
     #[inline(always)]
     fn step(self, rho: T, z: T, (sin, cos): (T, T)) -> (T, T) {
         let axes = T::ONE - self.f;
@@ -216,10 +251,7 @@ impl<T: Real> Ellipsoid<T> {
         }
         let (rho, rho_lost) = hypotenuse(u, v);
         let square = rho * rho + w * w;
-        let outside = |radius: T| (square > radius * radius) & (square > T::pick(1e-250, 1e-30));
-        let (sin, cos) = if outside(unit.newton_radius()) {
-            unit.normal(rho, w)
-        } else if self.e2().abs() < T::EPSILON * T::of(0.0625) {
+        let (sin, cos) = if self.e2().abs() < T::EPSILON * T::of(0.0625) {
             // A sphere, or nothing that could be told from one.
             let d = Direction::new(u, v, w).unwrap_or(north);
             (d.z(), d.cos_lat())
@@ -227,7 +259,8 @@ impl<T: Real> Ellipsoid<T> {
             let exact = unit.normal_by_quartic(rho, w);
             let polished = unit.step(rho, w, exact);
             let reach = unit.a * self.e2().abs() / min(T::ONE, T::ONE - self.f);
-            select(outside(T::of(4.0) * reach), polished, exact)
+            let outside = square > T::of(16.0) * reach * reach;
+            select(outside & (square > T::pick(1e-250, 1e-30)), polished, exact)
         };
         let (lat, height) = unit.settle((rho, rho_lost), w, sin, cos);
         let height = max(min(height * metre, largest), -largest);

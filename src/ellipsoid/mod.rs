@@ -1,10 +1,12 @@
 //! [`Ellipsoid`]: the size and shape of a planet; its named ones, and its conversions to Earth-centred axes.
 
 mod ecef;
+mod geodetic_series;
 mod named;
 
 use core::fmt;
 
+pub use geodetic_series::GeodeticSeries;
 pub use named::{NAMED, UnknownEllipsoid};
 
 use crate::math::{atan, cbrt, inverse_gudermannian};

@@ -15,6 +15,15 @@ pub fn atan<T: Real>(x: T) -> T {
     radians(x, T::ONE)
 }
 
+/// [`atan`] of a number that is far from the largest.
+#[inline(always)]
+pub(crate) fn atan_moderate<T: Real>(x: T) -> T {
+    if cfg!(small) {
+        return atan(x);
+    }
+    Reduced::of_moderate(x, T::ONE).radians().copysign(x)
+}
+
 /// Returns the angle from the x axis to the point (x, y) in radians, in [−π, π].
 ///
 /// The error is below 0.85 ulp for finite coordinates of any size. Signs of zero count as for `f64::atan2`:
@@ -42,16 +51,19 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
 #[cfg_attr(not(small), inline(always))]
 pub fn atan2_degrees<T: Real>(y: T, x: T) -> T {
     let reduced = Reduced::new(y, x);
-    let high = reduced.base(T::pick(26.565_051_177_077_99, 26.565_052), T::of(45.0));
-    let low = reduced.base(T::pick(-6.673_432_494_950_659e-16, -8.553_927e-7), T::ZERO);
-    // 180/π is split so that its head times the remainder's head is exact.
-    let k1 = T::pick(57.295_779_228_210_45, 57.281_25);
-    let k2 = T::pick(2.848_718_716_580_481_4e-7, 0.014_529_513);
-    let r = reduced.tangent;
-    let z = r * r;
-    let (head, tail) = r.split();
-    let curve = r * z * z.polynomial(&ATAN) * (k1 + k2);
-    let small = head * k1 + (curve + (tail * k1 + r * k2 + (reduced.lost * k1 + low)));
+    let (high, small) = reduced.degrees();
+    reduced.opened((high, small), (T::of(90.0), T::ZERO)).copysign(y)
+}
+
+/// [`atan2_degrees`], turned away from y = 0 by a small angle in radians: rounded once.
+///
+/// The larger coordinate must be far from the ends of the scalar's range; x ≥ 0, or the small angle 0.
+#[cfg_attr(not(small), inline(always))]
+pub(crate) fn turned_degrees<T: Real>(y: T, x: T, turn: T) -> T {
+    let reduced = Reduced::of_moderate(y, x);
+    let (high, small) = reduced.degrees();
+    let turn = T::of(180.0 / core::f64::consts::PI) * turn;
+    let small = small + select(reduced.steep, -turn, turn);
     reduced.opened((high, small), (T::of(90.0), T::ZERO)).copysign(y)
 }
 
@@ -79,18 +91,7 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
 
 #[cfg_attr(not(small), inline(always))]
 fn radians<T: Real>(y: T, x: T) -> T {
-    let reduced = Reduced::new(y, x);
-    let eighth = T::pick(core::f64::consts::FRAC_PI_4, core::f32::consts::FRAC_PI_4);
-    let eighth_low = T::pick(3.061_616_997_868_383e-17, -2.185_569_4e-8);
-    let high = reduced.base(T::pick(0.463_647_609_000_806_1, 0.463_647_6), eighth);
-    let low = reduced.base(T::pick(2.269_877_745_296_168_7e-17, 5.012_158_7e-9), eighth_low);
-    let r = reduced.tangent;
-    let z = r * r;
-    let small = r + (r * z * z.polynomial(&ATAN) + (reduced.lost + low));
-    let two = T::of(2.0);
-    reduced
-        .opened((high, small), (two * eighth, two * eighth_low))
-        .copysign(y)
+    Reduced::new(y, x).radians().copysign(y)
 }
 
 /// An angle between an axis and a diagonal, as the sum of a base angle, whose tangent is 0, ½ or 1, and a
@@ -123,7 +124,19 @@ impl<T: Real> Reduced<T> {
             grow,
             select(larger > T::pick(1e200, 1e20), shrink, T::ONE),
         );
-        let (larger, smaller) = (larger * scale, smaller * scale);
+        Self::of(larger * scale, smaller * scale, y > x, side)
+    }
+
+    /// For coordinates of which the larger is far from the ends of the scalar's range.
+    #[inline(always)]
+    fn of_moderate(y: T, x: T) -> Self {
+        let side = T::ONE.copysign(x);
+        let (y, x) = (y.abs(), x.abs());
+        Self::of(max(x, y), min(y, x), y > x, side)
+    }
+
+    #[inline(always)]
+    fn of(larger: T, smaller: T, steep: bool, side: T) -> Self {
         let beyond = [
             either(smaller > larger * T::of(7.0 / 16.0), T::ONE),
             either(smaller > larger * T::of(11.0 / 16.0), T::ONE),
@@ -139,7 +152,7 @@ impl<T: Real> Reduced<T> {
         let product = tangent * denominator;
         let rounding = ((th * dh - product) + th * dl + tl * dh) + tl * dl;
         Self {
-            steep: y > x,
+            steep,
             side,
             beyond,
             tangent,
@@ -152,6 +165,36 @@ impl<T: Real> Reduced<T> {
     #[inline(always)]
     fn base(&self, second: T, third: T) -> T {
         self.beyond[0] * second + self.beyond[1] * (third - second)
+    }
+
+    /// The angle from the x axis to the point in radians, in [0, π].
+    #[inline(always)]
+    fn radians(self) -> T {
+        let eighth = T::pick(core::f64::consts::FRAC_PI_4, core::f32::consts::FRAC_PI_4);
+        let eighth_low = T::pick(3.061_616_997_868_383e-17, -2.185_569_4e-8);
+        let high = self.base(T::pick(0.463_647_609_000_806_1, 0.463_647_6), eighth);
+        let low = self.base(T::pick(2.269_877_745_296_168_7e-17, 5.012_158_7e-9), eighth_low);
+        let r = self.tangent;
+        let z = r * r;
+        let small = r + (r * z * z.polynomial(&ATAN) + (self.lost + low));
+        let two = T::of(2.0);
+        self.opened((high, small), (two * eighth, two * eighth_low))
+    }
+
+    /// The base angle and the rest in degrees.
+    #[inline(always)]
+    fn degrees(&self) -> (T, T) {
+        let high = self.base(T::pick(26.565_051_177_077_99, 26.565_052), T::of(45.0));
+        let low = self.base(T::pick(-6.673_432_494_950_659e-16, -8.553_927e-7), T::ZERO);
+        // 180/π is split so that its head times the remainder's head is exact.
+        let k1 = T::pick(57.295_779_228_210_45, 57.281_25);
+        let k2 = T::pick(2.848_718_716_580_481_4e-7, 0.014_529_513);
+        let r = self.tangent;
+        let z = r * r;
+        let (head, tail) = r.split();
+        let curve = r * z * z.polynomial(&ATAN) * (k1 + k2);
+        let small = head * k1 + (curve + (tail * k1 + r * k2 + (self.lost * k1 + low)));
+        (high, small)
     }
 
     /// The angle from the x axis to the point, in [0, π]; rounded once.

@@ -35,12 +35,16 @@ def quad_m(w):
     return 12 / pi * mp.asin(w * sin(pi / 12))
 
 
-def quad_t(m):
-    return sin(pi * m / 12) / (cos(pi * m / 12) - 1 / sqrt(mpf(2)))
+# In a corner of the quadrilateralized cube, √2·sin 15° = √2·cos 15° − 1.
+QUAD_CORNER = (sqrt(mpf(3)) - 1) / 2
 
 
-def quad_s(m):
-    return 1 / sqrt(2 + quad_t(m) ** 2)
+def quad_sin(m):
+    return sqrt(mpf(2)) * sin(pi * m / 12)
+
+
+def quad_cos(m):
+    return sqrt(mpf(2)) * cos(pi * m / 12) - 1
 
 
 # Vertex equal-area: tau = tan(xi/2) / tan(pi/8) against the share t of the triangle's area.
@@ -79,8 +83,8 @@ ENTRIES = [
     ("ATANH", "atanh x = x + x³·p(x²), |x| ≤ (√2 − 1)²", odd_correction(atanh), 0, TAN_PI_8**4 * mpf("1.0001"), lambda z: z),
     ("EXP", "eˣ = 1 + x + x²/2 + x³·p(x), |x| ≤ ½ ln 2", lambda x: sum(x**k / factorial(k + 3) for k in range(40)), -HALF_LN_2, HALF_LN_2, lambda x: x * x),
     ("QUAD_M", "12/π·asin(w·sin(π/12)) = w − w·(1 − w²)·p(w²), |w| ≤ 1: the forward ordinate of the quadrilateralized cube", odd_unit(quad_m), 0, 1, lambda z: 1 - z),
-    ("QUAD_T", "t(m) = m − m·(1 − m²)·p(m²), |m| ≤ 1: its inverse", odd_unit(quad_t), 0, 1, lambda z: 1 - z),
-    ("QUAD_S", "s(m) = 1/√(2 + t²) = 1/√3 + (1 − m²)·p(m²), |m| ≤ 1: the outward component on the edge", lambda z: (quad_s(sqrt(z)) - quad_s(mpf(1))) / (1 - z), 0, 1, lambda z: 1 - z),
+    ("QUAD_SIN", "√2·sin(πm/12) = m·(c + (1 − m²)·p(m²)), |m| ≤ 1, c = (√3 − 1)/2: toward the sphere", lambda z: (quad_sin(sqrt(z)) / sqrt(z) - QUAD_CORNER) / (1 - z), 0, 1, lambda z: 1 - z),
+    ("QUAD_COS", "√2·cos(πm/12) − 1 = c + (1 − m²)·p(m²), |m| ≤ 1", lambda z: (quad_cos(sqrt(z)) - QUAD_CORNER) / (1 - z), 0, 1, lambda z: 1 - z),
     ("VERTEX_T", "t(τ) = τ + τ·(1 − τ)·p(τ), 0 ≤ τ ≤ 1: the vertex map's area share", unit(vertex_t), 0, 1, lambda x: 1 - x),
     ("VERTEX_TAU", "τ(t) = t + t·(1 − t)·p(t), 0 ≤ t ≤ 1: its inverse", unit(vertex_tau), 0, 1, lambda x: 1 - x),
     ("POWER_RE", "Re c(k) = 1 + k·p(k), |k| ≤ 1, c(k) = e^(iπ/8)(1 + ik/√3)^¾/cos(π/8): the conformal map toward the plane", lambda k: (conformal_power(k).real - 1) / k, -1, 1, abs),

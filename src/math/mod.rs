@@ -36,8 +36,8 @@ mod polynomial;
 mod sin_cos;
 mod tan;
 
-pub(crate) use atan::octant;
 pub use atan::{atan, atan2, atan2_degrees};
+pub(crate) use atan::{atan_moderate, octant, turned_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::Complex;
 pub(crate) use double_word::{DoubleWord, hypotenuse, product, product_of_any, sum};
@@ -47,7 +47,7 @@ pub(crate) use gudermannian::{gudermannian, inverse_gudermannian};
 pub(crate) use hypot::hypot;
 pub(crate) use interleave::{gathered, spread};
 pub use log2::log2;
-pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_M, QUAD_S, QUAD_T, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
+pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_COS, QUAD_M, QUAD_SIN, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
 pub(crate) use polynomial::{halves, odd_unit};
 pub use sin_cos::{sin_cos, sin_cos_degrees};
 pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_eighth, sin_cos_quarter, sin_cos_small};

@@ -9,6 +9,7 @@ mod local;
 mod nearest;
 mod offset;
 mod round_trip;
+mod series;
 
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon};
 use testkit::truth::Scalar;
@@ -20,6 +21,7 @@ const ELLIPSOIDS: [&str; 4] = ["wgs84", "moon", "oblate10", "prolate150"];
 fn ellipsoid<T: Scalar>(name: &str) -> Ellipsoid<T> {
     match name {
         "oblate10" => Ellipsoid::new(T::of(6.4e6), T::of(0.1)).unwrap(),
+        "oblate151" => Ellipsoid::new(T::of(6.4e6), T::of(1.0 / 151.0)).unwrap(),
         "prolate150" => Ellipsoid::new(T::of(6.4e6), T::of(-1.0 / 150.0)).unwrap(),
         _ => Ellipsoid::named(name).unwrap(),
     }

@@ -27,7 +27,8 @@ fn worst<T: Scalar>(name: &str) -> [f64; 2] {
 
 #[test]
 fn points_come_back() {
-    for name in ELLIPSOIDS {
+    // The last is the flattest that a straight line serves.
+    for name in ELLIPSOIDS.into_iter().chain(["mars", "oblate151"]) {
         let [near, far] = worst::<f64>(name);
         assert!(near < 4e-9 && far < 3e-8, "{name}: {near:e} {far:e}");
         let [near, far] = worst::<f32>(name);

@@ -106,9 +106,9 @@ fn inverse_is_true<T: Scalar>(bytes: &mut Bytes<'_>) {
 fn worst_points_back() {
     use Projection::{Adjusted, Healpix, Outerra, Quadrilateralized, Square, Vertex};
     for (projection, face, [x, y]) in [
-        (Quadrilateralized, Face::Top, [0.9986548638205576, 0.9951099683043815]),
-        (Outerra, Face::Front, [0.796585107700254, 0.784758001133762]),
-        (Adjusted, Face::Front, [0.06088675121964294, 0.6787232881672471]),
+        (Quadrilateralized, Face::Top, [0.9998786089290815, 0.9846793071375445]),
+        (Outerra, Face::Top, [0.999730182616684, 0.9994945185210922]),
+        (Adjusted, Face::Front, [0.9990045985523968, 0.9988684326808815]),
         (Healpix, Face::Top, [0.9999044990565169, 0.9647732718792353]),
         (Vertex, Face::Front, [0.9999678598966143, 0.18142748407761883]),
         (Square, Face::Top, [0.7637996061025031, 0.7561561140140266]),

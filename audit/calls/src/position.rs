@@ -1,4 +1,4 @@
-use terrella::{Direction, Dms, DmsLatLon, Ecef, Ellipsoid, Geodetic, LatLon};
+use terrella::{Direction, Dms, DmsLatLon, Ecef, Ellipsoid, Geodetic, GeodeticSeries, LatLon};
 
 use crate::{Arguments, Function, Scalar, Visitor};
 
@@ -86,6 +86,16 @@ fn ellipsoids<T: Scalar, V: Visitor>(visitor: &mut V) {
     });
     visitor.function::<T, _, _>("Ellipsoid::to_geodetic", Arguments::ecef::<T>, |point| {
         Ellipsoid::to_geodetic(earth, point)
+    });
+    let series = GeodeticSeries::new(mars);
+    visitor.function::<T, _, _>("GeodeticSeries::second_order", Arguments::ecef::<T>, |point| {
+        GeodeticSeries::second_order(&series, point)
+    });
+    visitor.function::<T, _, _>("GeodeticSeries::third_order", Arguments::ecef::<T>, |point| {
+        GeodeticSeries::third_order(&series, point)
+    });
+    visitor.function::<T, _, _>("GeodeticSeries::fourth_order", Arguments::ecef::<T>, |point| {
+        GeodeticSeries::fourth_order(&series, point)
     });
     let deep = |arguments: &mut Arguments| loop {
         let [x, y, z] = arguments.units().map(|part: T| part * T::of(6e4));

@@ -1,6 +1,7 @@
 use terrella::latitude::Conversion;
 use terrella::{
-    Aer, Direction, Ecef, Ellipsoid, Enu, Geodetic, LatLon, Latitude, LocalFrame, Real, Shift, Shifted, math,
+    Aer, Direction, Ecef, Ellipsoid, Enu, Geodetic, GeodeticSeries, LatLon, Latitude, LocalFrame, Real, Shift, Shifted,
+    math,
 };
 
 use crate::points::Points;
@@ -47,6 +48,14 @@ pub fn positions<T: Real>(sweep: Sweep, points: &Points<T>) {
     sweep.count("Ellipsoid::to_ecef", &points.geodetics, |place| earth.to_ecef(place));
     let ecefs: Vec<_> = points.geodetics.iter().map(|&place| earth.to_ecef(place)).collect();
     sweep.count("Ellipsoid::to_geodetic", &ecefs, |point| earth.to_geodetic(point));
+    let series = GeodeticSeries::new(earth);
+    sweep.count("GeodeticSeries::second_order", &ecefs, |point| {
+        series.second_order(point)
+    });
+    sweep.count("GeodeticSeries::third_order", &ecefs, |point| series.third_order(point));
+    sweep.count("GeodeticSeries::fourth_order", &ecefs, |point| {
+        series.fourth_order(point)
+    });
     let deep: Vec<_> = points.vectors.iter().map(|v| v.map(|x| x * T::of(3e4))).collect();
     let deep: Vec<_> = deep.iter().map(|&[x, y, z]| Ecef::new(x, y, z).unwrap()).collect();
     sweep.count("Ellipsoid::to_geodetic, near the centre", &deep, |point| {

@@ -2,7 +2,7 @@ use super::decay::creased;
 use super::profile::{Kept, projection};
 use super::{CubeProjection, Face};
 use crate::Real;
-use crate::math::{QUAD_M, QUAD_S, QUAD_T, max, min, odd_unit, select};
+use crate::math::{QUAD_COS, QUAD_M, QUAD_SIN, max, min, odd_unit, select};
 
 projection! {
     #[doc(alias = "QSC")]
@@ -27,14 +27,14 @@ projection! {
         oversize: 2.370,
         deformation: 25.2,
         forward: Polynomial, error [6.0e-16, 3.2e-7], instructions [160, 150];
-        inverse: Polynomial, error [4.8e-16, 2.6e-7], instructions [140, 110];
+        inverse: Polynomial, error [4.8e-16, 2.6e-7], instructions [120, 100];
         tiles: creased(0.285, 1.38),
     }
 }
 
 // With (X, Y) the longer and the shorter of a unit vector's right and up, and Q = √(2X² + Y²), the longer
-// coordinate is √(Q(Q + X)/(1 + Z)), and the shorter is less by the factor 12/π·asin(Y/(√2(Q + X))).
-// Back, s = 1/√(2 + (Y/X)²), the outward component on the edge, and Y/X are functions of one variable.
+// coordinate is √(Q(Q + X)/(1 + Z)), and the shorter is less by the factor m = 12/π·asin(Y/(√2(Q + X))).
+// Back, (p, q) = √2(cos(πm/12), sin(πm/12)) − (1, 0) is along (X, Y), and X/Z is p/(1 − p) on the edge.
 // Nothing cancels anywhere.
 impl CubeProjection for Quadrilateralized {
     #[inline(always)]
@@ -64,17 +64,21 @@ impl CubeProjection for Quadrilateralized {
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
         let (long, short) = (max(y.abs(), x.abs()), min(x.abs(), y.abs()));
         let m = short / select(long == T::ZERO, T::ONE, long);
-        let t = odd_unit(m, &QUAD_T);
-        // s is the outward component on the edge. There w is 0, so that outward and major agree to the last
-        // bit.
         let mm = m * m;
-        // 1/√3 and what its rounding lost, to be exact in the corner.
-        let s = T::of(0.5773502691896257)
-            + ((T::ONE - mm) * mm.polynomial(&QUAD_S) + T::pick(3.345028074e-17, 1.03624163e-08));
-        let w = (T::ONE - long * long) * (T::ONE - s);
-        let outward = s + w;
-        let major = long * (s * (T::ONE + w / (T::ONE + s)).sqrt());
-        let minor = t * major;
+        let inside = T::ONE - mm;
+        // (√3 − 1)/2 and 1 less that, each with what its rounding lost.
+        let corner = 0.366_025_403_784_438_65;
+        let lost = T::pick(-5.335730122e-18, -1.425869795e-08);
+        let bend = inside * mm.polynomial(&QUAD_COS);
+        let p = T::of(corner) + (bend + lost);
+        let q = m * (T::of(corner) + (inside * mm.polynomial(&QUAD_SIN) + lost));
+        let scale = T::ONE / (T::of(1.0 - corner) - (bend + T::pick(5.017542111e-17, 1.554362444e-08)));
+        // s is the outward component on the edge. There w is 0, so that outward and major agree to the last bit.
+        let s = p * scale;
+        let w = T::ONE - long * long;
+        let outward = s + w * (T::ONE - s);
+        let side = long * (T::ONE + w * (T::ONE - (p + p))).sqrt();
+        let (major, minor) = (s * side, q * scale * side);
         let right = select(y.abs() > x.abs(), minor, major);
         let up = select(y.abs() == short, minor, major);
         [right.copysign(x), up.copysign(y), outward]

@@ -1,6 +1,6 @@
 use super::decay::smooth;
 use super::profile::projection;
-use super::{CubeProjection, Face, from_gnomonic};
+use super::{CubeProjection, Face, normalise};
 use crate::Real;
 
 projection! {
@@ -37,7 +37,8 @@ impl CubeProjection for S2Quadratic {
 
     #[inline(always)]
     fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
-        from_gnomonic([gnomonic(x), gnomonic(y)])
+        let thrice = |x: T| x * (T::of(2.0) + x.abs());
+        normalise([thrice(x), thrice(y), T::of(3.0)])
     }
 }
 
@@ -46,9 +47,4 @@ impl CubeProjection for S2Quadratic {
 fn coordinate<T: Real>(u: T) -> T {
     let three = T::of(3.0);
     three * u / (T::ONE + (T::ONE + three * u.abs()).sqrt())
-}
-
-#[inline(always)]
-fn gnomonic<T: Real>(x: T) -> T {
-    x * (T::of(2.0) + x.abs()) / T::of(3.0)
 }

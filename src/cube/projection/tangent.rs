@@ -2,7 +2,8 @@
 
 /// x = atan(u·tan θ)/θ in each coordinate: θ → 0 is the gnomonic cube, θ = π/4 the adjusted one.
 ///
-/// The quotients make the edge exact: both halves send 1 to 1 whatever the rounding of θ.
+/// The edge is exact, whatever the rounding of θ: the quotient of two equal arc tangents is 1, and back, the
+/// vector's components are equal there.
 macro_rules! tangent {
     ($name:ident, $theta:expr) => {
         impl $crate::cube::CubeProjection for $name {
@@ -11,8 +12,8 @@ macro_rules! tangent {
                 let scale = $crate::math::tan(T::of($theta));
                 let unit = $crate::math::atan(scale);
                 [
-                    $crate::math::atan(right / outward * scale) / unit,
-                    $crate::math::atan(up / outward * scale) / unit,
+                    $crate::math::atan_moderate(right / outward * scale) / unit,
+                    $crate::math::atan_moderate(up / outward * scale) / unit,
                 ]
             }
 
@@ -20,10 +21,7 @@ macro_rules! tangent {
             fn inverse<T: $crate::Real>(&self, _: $crate::cube::Face, [x, y]: [T; 2]) -> [T; 3] {
                 let theta = T::of($theta);
                 let unit = $crate::math::tan(theta);
-                $crate::cube::projection::from_gnomonic([
-                    $crate::math::tan(x * theta) / unit,
-                    $crate::math::tan(y * theta) / unit,
-                ])
+                $crate::cube::projection::normalise([$crate::math::tan(x * theta), $crate::math::tan(y * theta), unit])
             }
         }
     };

@@ -26,7 +26,7 @@ projection! {
         oversize: 4.500,
         deformation: 31.1,
         forward: Algebraic, error [1.2e-16, 6.0e-8], instructions [70, 67];
-        inverse: Algebraic, error [2.7e-16, 1.5e-7], instructions [41, 36];
+        inverse: Algebraic, error [2.7e-16, 1.5e-7], instructions [41, 39];
         tiles: smooth(1.27, 1.85),
     }
 }
