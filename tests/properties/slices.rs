@@ -956,9 +956,9 @@ fn every_ring<T: Scalar>() {
         ];
         for solver in solvers {
             check(batch::scene::areas(&solver, &offsets, [lat, lon], &mut areas));
-            for i in 0..rings {
+            for (i, area) in areas.iter().enumerate() {
                 let found = ring(i).map_or(nan, |corners| solver.area(corners));
-                assert_eq!(bits(&[areas[i]]), bits(&[found]), "ring {i}");
+                assert_eq!(bits(&[*area]), bits(&[found]), "ring {i}");
             }
         }
     }
