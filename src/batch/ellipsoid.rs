@@ -29,7 +29,7 @@ impl<T: fmt::Debug> fmt::Display for InvalidGeodetic<T> {
 impl<T: fmt::Debug> core::error::Error for InvalidGeodetic<T> {}
 
 /// Latitudes, longitudes and heights.
-struct Geodetics;
+pub(super) struct Geodetics;
 
 impl<T: Real> Door<[T; 3]> for Geodetics {
     type Error = InvalidGeodetic<T>;
@@ -48,6 +48,22 @@ impl<T: Real> Door<[T; 3]> for Geodetics {
         let place = LatLon::new(lat, lon).map_err(InvalidGeodetic::LatLon)?;
         let place = Geodetic::new(place, height).map_err(InvalidGeodetic::Height)?;
         Ok([place.lat(), place.lon(), place.height()])
+    }
+}
+
+/// Points in Earth axes.
+pub(super) struct Points;
+
+impl<T: Real> Door<[T; 3]> for Points {
+    type Error = InvalidEcef<T>;
+
+    #[inline(always)]
+    fn keeps(&self, [x, y, z]: [T; 3]) -> bool {
+        x.is_finite() & y.is_finite() & z.is_finite()
+    }
+
+    fn admit(&self, [x, y, z]: [T; 3]) -> Result<[T; 3], Self::Error> {
+        Ecef::new(x, y, z).map(Ecef::to_array)
     }
 }
 
@@ -73,8 +89,8 @@ impl<T: Real> Element<[T; 3]> for ToGeodetic<T> {
     type Error = InvalidEcef<T>;
 
     #[inline(always)]
-    fn keeps(&self, [x, y, z]: [T; 3]) -> bool {
-        x.is_finite() & y.is_finite() & z.is_finite()
+    fn keeps(&self, point: [T; 3]) -> bool {
+        Points.keeps(point)
     }
 
     #[inline(always)]

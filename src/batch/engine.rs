@@ -35,6 +35,24 @@ pub(super) fn solve_by<S: Source, D: Sink, E>(
     }
 }
 
+/// Refuses all elements, for one reason.
+///
+/// # Errors
+/// [`InvalidBatch`], unless there are no elements.
+pub(super) fn refuse_all<S: Source, D: Sink, E>(source: S, mut sink: D, why: E) -> Result<(), InvalidBatch<E>> {
+    let length = source.len();
+    if let Some(other) = source.other_length(length).or_else(|| sink.other_length(length)) {
+        return Err(InvalidBatch::Lengths { first: length, other });
+    }
+    for _ in 0..length {
+        sink.push(D::nothing());
+    }
+    match length {
+        0 => Ok(()),
+        count => Err(InvalidBatch::Elements { count, first: 0, why }),
+    }
+}
+
 /// [`solve_by`] an element's own functions.
 pub(super) fn solve<S: Source, D: Sink, K: Element<S::Row, Output = D::Row> + Copy>(
     element: K,

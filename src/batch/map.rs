@@ -49,11 +49,11 @@ pub fn project<T: Real, P: CubeProjection, F: FaceNumber>(
 }
 
 /// Projects latitudes and longitudes into faces and points: at once, or by way of directions.
-struct ProjectAll<'a, 't, T, F> {
-    shifted: Shifted<T>,
-    places: [&'a [T]; 2],
-    points: (Faces<&'a mut [F], T>, [&'a mut [T]; 2]),
-    tally: &'t mut Tally<InvalidLatLon<T>>,
+pub(super) struct ProjectAll<'a, 't, T, F> {
+    pub(super) shifted: Shifted<T>,
+    pub(super) places: [&'a [T]; 2],
+    pub(super) points: (Faces<&'a mut [F], T>, [&'a mut [T]; 2]),
+    pub(super) tally: &'t mut Tally<InvalidLatLon<T>>,
 }
 
 impl<T: Real, F: FaceNumber> ProjectionTask for ProjectAll<'_, '_, T, F> {
@@ -160,11 +160,11 @@ pub fn unproject<T: Real, P: CubeProjection, F: FaceNumber>(
 }
 
 /// Unprojects faces and points into latitudes and longitudes: at once, or by way of directions.
-struct UnprojectAll<'a, 't, T, F> {
-    shifted: Shifted<T>,
-    points: ([&'a [T]; 2], Faces<&'a [F], T>),
-    places: [&'a mut [T]; 2],
-    tally: &'t mut Tally<InvalidPoint<T>>,
+pub(super) struct UnprojectAll<'a, 't, T, F> {
+    pub(super) shifted: Shifted<T>,
+    pub(super) points: ([&'a [T]; 2], Faces<&'a [F], T>),
+    pub(super) places: [&'a mut [T]; 2],
+    pub(super) tally: &'t mut Tally<InvalidPoint<T>>,
 }
 
 impl<T: Real, F: FaceNumber> ProjectionTask for UnprojectAll<'_, '_, T, F> {

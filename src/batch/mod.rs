@@ -13,21 +13,47 @@
 //! | [`latitude::radians`] | [`Conversion::radians`](crate::latitude::Conversion::radians) |
 //! | [`ellipsoid::to_ecef`] | [`Ellipsoid::to_ecef`](crate::Ellipsoid::to_ecef) |
 //! | [`ellipsoid::to_geodetic`] | [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic) |
+//! | [`frame::to_enu`] | [`LocalFrame::to_enu`](crate::LocalFrame::to_enu) |
+//! | [`frame::to_ned`] | [`LocalFrame::to_ned`](crate::LocalFrame::to_ned) |
+//! | [`frame::to_aer`] | [`LocalFrame::to_aer`](crate::LocalFrame::to_aer) |
+//! | [`frame::from_enu`] | [`LocalFrame::from_enu`](crate::LocalFrame::from_enu) |
+//! | [`frame::from_ned`] | [`LocalFrame::from_ned`](crate::LocalFrame::from_ned) |
+//! | [`frame::from_aer`] | [`LocalFrame::from_aer`](crate::LocalFrame::from_aer) |
+//! | [`frame::geodetic_to_enu`] | [`LocalFrame::geodetic_to_enu`](crate::LocalFrame::geodetic_to_enu) |
+//! | [`frame::geodetic_to_ned`] | [`LocalFrame::geodetic_to_ned`](crate::LocalFrame::geodetic_to_ned) |
+//! | [`frame::geodetic_to_aer`] | [`LocalFrame::geodetic_to_aer`](crate::LocalFrame::geodetic_to_aer) |
+//! | [`frame::enu_to_geodetic`] | [`LocalFrame::enu_to_geodetic`](crate::LocalFrame::enu_to_geodetic) |
+//! | [`frame::ned_to_geodetic`] | [`LocalFrame::ned_to_geodetic`](crate::LocalFrame::ned_to_geodetic) |
+//! | [`frame::aer_to_geodetic`] | [`LocalFrame::aer_to_geodetic`](crate::LocalFrame::aer_to_geodetic) |
+//! | [`frame::enu_to_offset`] | [`LocalFrame::enu_to_offset`](crate::LocalFrame::enu_to_offset) |
+//! | [`frame::offset_to_enu`] | [`LocalFrame::offset_to_enu`](crate::LocalFrame::offset_to_enu) |
+//! | [`frame::vector_to_enu`] | [`LocalFrame::vector_to_enu`](crate::LocalFrame::vector_to_enu) |
+//! | [`frame::vector_from_enu`] | [`LocalFrame::vector_from_enu`](crate::LocalFrame::vector_from_enu) |
 //! | [`geodesic::inverse`] | [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse) |
 //! | [`geodesic::direct`] | [`Geodesic::direct`](crate::geodesic::Geodesic::direct) |
 //! | [`cube::project`] | [`CubeProjection::project`](crate::cube::CubeProjection::project) |
 //! | [`cube::unproject`] | [`CubeProjection::unproject`](crate::cube::CubeProjection::unproject) |
 //! | [`map::project`] | [`CubeMap::project`](crate::cube::CubeMap::project) |
 //! | [`map::unproject`] | [`CubeMap::unproject`](crate::cube::CubeMap::unproject) |
+//! | [`area::polygons`] | [`PolygonArea`](crate::geodesic::PolygonArea) |
+//! | [`area::fields`] | [`PlanarPolygon`](crate::geodesic::PlanarPolygon) |
+//! | [`terrain::containing`] | [`Tile::containing`](crate::terrain::Tile::containing) |
+//! | [`terrain::to_key`], [`terrain::from_key`] | [`Key`](crate::terrain::Key) of a tile, and back |
+//! | [`terrain::places_to_key`], [`terrain::directions_to_key`] | the same, of the tile that contains a place |
+//! | [`terrain::s2_leaf`] | [`Key::s2_leaf_of`](crate::terrain::Key::s2_leaf_of) |
+//! | [`terrain::sample_places`], [`terrain::sample_directions`] | [`Tile::node`](crate::terrain::Tile::node), on the ground |
+//! | [`scene::inverse`], [`scene::direct`] | [`AnyMethod`](crate::geodesic::AnyMethod) of a scene |
+//! | [`scene::enu`] | [`AnyView::enu`](crate::scene::AnyView::enu) |
+//! | [`scene::areas`] | [`AnyArea::area`](crate::scene::AnyArea::area) |
 //!
 //! Every element passes the constructor of its type, as in `LatLon::new(lat, lon)`: longitudes are brought
 //! into [−180, 180], and vectors of any length are normalised, many at a time as well.
 //!
 //! **Bad elements.** A batch writes all that it can. If a constructor or the method refuses an element, its
-//! results are NaN, its face is [`Front`](crate::cube::Face::Front), and the call returns
-//! [`InvalidBatch::Elements`] with the number of such elements, the index of the first, and why it was
-//! refused. So a missing value among a billion costs its own row only: a caller who expects some ignores this
-//! error, and `?` stops at it. If slices have unequal lengths, nothing is written
+//! results are NaN, its face is [`Front`](crate::cube::Face::Front), whole numbers are 0, and the call
+//! returns [`InvalidBatch::Elements`] with the number of such elements, the index of the first, and why it
+//! was refused. So a missing value among a billion costs its own row only: a caller who expects some ignores
+//! this error, and `?` stops at it. If slices have unequal lengths, nothing is written
 //! ([`InvalidBatch::Lengths`]).
 //!
 //! ```
@@ -64,15 +90,19 @@
 
 use core::fmt;
 
+pub mod area;
 pub mod cube;
 pub mod ellipsoid;
 mod engine;
 mod face_mask;
 mod face_number;
+pub mod frame;
 pub mod geodesic;
 pub mod latitude;
 pub mod map;
 pub mod position;
+pub mod scene;
+pub mod terrain;
 
 pub use face_number::FaceNumber;
 
@@ -87,7 +117,7 @@ pub enum InvalidBatch<E> {
         /// The length of the slice that differs.
         other: usize,
     },
-    /// Elements were refused. Their results are NaN, and all others are written.
+    /// Elements were refused. Their results are NaN, whole numbers 0, and all others are written.
     Elements {
         /// How many were refused.
         count: usize,
@@ -96,6 +126,20 @@ pub enum InvalidBatch<E> {
         /// Why the first was refused.
         why: E,
     },
+}
+
+impl<E> InvalidBatch<E> {
+    /// The same with another reason.
+    fn map<O>(self, reason: impl FnOnce(E) -> O) -> InvalidBatch<O> {
+        match self {
+            Self::Lengths { first, other } => InvalidBatch::Lengths { first, other },
+            Self::Elements { count, first, why } => InvalidBatch::Elements {
+                count,
+                first,
+                why: reason(why),
+            },
+        }
+    }
 }
 
 impl<E: fmt::Display> fmt::Display for InvalidBatch<E> {

@@ -90,7 +90,13 @@ impl Face {
     /// The face with a number in 0 to 5, for a number that is known to be one. The choice vectorises.
     #[inline(always)]
     pub(crate) fn of_number<T: Real>(number: T) -> Self {
-        match number.to_byte() {
+        Self::numbered(number.to_byte())
+    }
+
+    /// The face with a number in 0 to 5, for a byte that is known to be one.
+    #[inline(always)]
+    pub(crate) const fn numbered(number: u8) -> Self {
+        match number {
             0 => Self::Front,
             1 => Self::Right,
             2 => Self::Back,

@@ -150,7 +150,7 @@ impl<T: Real> From<Enu<T>> for Ned<T> {
 }
 
 impl<T: Real> From<Enu<T>> for Aer<T> {
-    #[inline]
+    #[cfg_attr(not(small), inline(always))]
     fn from(enu: Enu<T>) -> Self {
         // Squares stay in range after a power of two. Adding 0 makes −0 into 0: south is at 180, not −180.
         let largest = max(max(enu.east.abs(), enu.north.abs()), enu.up.abs());
@@ -179,7 +179,7 @@ impl<T: Real> From<Enu<T>> for Aer<T> {
 }
 
 impl<T: Real> From<Aer<T>> for Enu<T> {
-    #[inline]
+    #[cfg_attr(not(small), inline(always))]
     fn from(aer: Aer<T>) -> Self {
         let (sin_azimuth, cos_azimuth) = sin_cos_degrees(aer.azimuth);
         let (sin, cos) = sin_cos_degrees(aer.elevation);

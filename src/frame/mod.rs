@@ -118,7 +118,7 @@ impl<T: Real> LocalFrame<T> {
     /// ```
     #[doc(alias("ecef2enuv", "uvw2enu"))]
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn vector_to_enu(&self, [x, y, z]: [T; 3]) -> Enu<T> {
         let out = self.cos_lon * x + self.sin_lon * y;
         Enu {
@@ -132,7 +132,7 @@ impl<T: Real> LocalFrame<T> {
     /// [`vector_to_enu`](Self::vector_to_enu). For [`Ned`] and [`Aer`], use `into()`.
     #[doc(alias("enu2ecefv", "enu2uvw"))]
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn vector_from_enu(&self, enu: Enu<T>) -> [T; 3] {
         let out = self.cos * enu.up - self.sin * enu.north;
         [
@@ -148,7 +148,7 @@ impl<T: Real> LocalFrame<T> {
     /// position as [`Geodetic`], [`geodetic_to_enu`](Self::geodetic_to_enu) has a smaller error.
     #[doc(alias = "ecef2enu")]
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn to_enu(&self, point: Ecef<T>) -> Enu<T> {
         self.vector_to_enu([
             point.x() - self.ecef.x(),
@@ -180,8 +180,15 @@ impl<T: Real> LocalFrame<T> {
     #[doc(alias = "enu2ecef")]
     #[inline]
     pub fn from_enu(&self, enu: Enu<T>) -> Result<Ecef<T>, InvalidEcef<T>> {
+        let [x, y, z] = self.point_of(enu);
+        Ecef::new(x, y, z)
+    }
+
+    /// x, y and z.
+    #[inline(always)]
+    pub(crate) fn point_of(&self, enu: Enu<T>) -> [T; 3] {
         let [x, y, z] = self.vector_from_enu(enu);
-        Ecef::new(self.ecef.x() + x, self.ecef.y() + y, self.ecef.z() + z)
+        [self.ecef.x() + x, self.ecef.y() + y, self.ecef.z() + z]
     }
 
     /// [`Self::from_enu`] from north, east, down.
@@ -222,6 +229,11 @@ impl<T: Real> LocalFrame<T> {
     #[must_use]
     #[inline]
     pub fn geodetic_to_enu(&self, position: Geodetic<T>) -> Enu<T> {
+        self.geodetic_to_enu_inline(position)
+    }
+
+    #[inline(always)]
+    pub(crate) fn geodetic_to_enu_inline(&self, position: Geodetic<T>) -> Enu<T> {
         let difference = |to: T, from: T| sum(to, -from);
         let (lon, lon_lost) = difference(position.lon(), self.origin.lon());
         // Exact: the two are within a factor of two of each other.

@@ -80,9 +80,18 @@ impl<T: Real> LocalFrame<T> {
     /// [`InvalidEnu`] if a component is infinite or NaN, or the point is beyond the scalar's largest numbers.
     #[doc(alias = "enu2geodetic")]
     pub fn enu_to_geodetic(&self, enu: Enu<T>) -> Result<Geodetic<T>, InvalidEnu<T>> {
-        let Some(offset) = self.long_offset(enu) else {
-            return self.through_earth_axes(enu);
-        };
+        let (place, ordinary) = self.fast_geodetic(enu);
+        if ordinary {
+            Ok(place)
+        } else {
+            self.through_earth_axes(enu)
+        }
+    }
+
+    /// [`Self::enu_to_geodetic`], and whether it is that: not where [`Self::long_offset`] is none.
+    #[inline(always)]
+    pub(crate) fn fast_geodetic(&self, enu: Enu<T>) -> (Geodetic<T>, bool) {
+        let (offset, ordinary) = self.long_offset(enu);
         let rounded = |origin: T, (offset, lost): Long<T>| {
             let (sum, sum_lost) = sum(origin, offset);
             (sum, sum_lost + lost)
@@ -98,7 +107,10 @@ impl<T: Real> LocalFrame<T> {
         let past_the_pole = either(lat.abs() > half_circle, T::of(360.0).copysign(lat));
         let lat = within((lat - past_the_pole) + lat_lost, T::of(90.0));
         let lon = within((lon - once_round) + lon_lost, half_circle);
-        Ok(Geodetic::within(LatLon::within(lat, lon), height + height_lost))
+        (
+            Geodetic::within(LatLon::within(lat, lon), height + height_lost),
+            ordinary,
+        )
     }
 
     /// [`Self::enu_to_geodetic`] from north, east, down.
@@ -133,12 +145,9 @@ impl<T: Real> LocalFrame<T> {
     /// # Errors
     /// [`InvalidEnu`] if a component is infinite or NaN, or the point is beyond the scalar's largest numbers.
     pub fn enu_to_offset(&self, enu: Enu<T>) -> Result<GeodeticOffset<T>, InvalidEnu<T>> {
-        if let Some(offset) = self.long_offset(enu) {
-            return Ok(GeodeticOffset {
-                lat: rounded(offset.lat),
-                lon: rounded(offset.lon),
-                height: rounded(offset.height),
-            });
+        let (offset, ordinary) = self.fast_offset(enu);
+        if ordinary {
+            return Ok(offset);
         }
         let there = self.through_earth_axes(enu)?;
         Ok(GeodeticOffset {
@@ -146,6 +155,18 @@ impl<T: Real> LocalFrame<T> {
             lon: turn(self.origin.lon(), there.lon()),
             height: there.height() - self.origin.height(),
         })
+    }
+
+    /// [`Self::enu_to_offset`], and whether it is that: not where [`Self::long_offset`] is none.
+    #[inline(always)]
+    pub(crate) fn fast_offset(&self, enu: Enu<T>) -> (GeodeticOffset<T>, bool) {
+        let (LongOffset { lat, lon, height }, ordinary) = self.long_offset(enu);
+        let offset = GeodeticOffset {
+            lat: rounded(lat),
+            lon: rounded(lon),
+            height: rounded(height),
+        };
+        (offset, ordinary)
     }
 
     /// Returns a position relative to the origin as east, north, up, from its difference in latitude,
@@ -156,6 +177,11 @@ impl<T: Real> LocalFrame<T> {
     #[must_use]
     #[inline]
     pub fn offset_to_enu(&self, offset: GeodeticOffset<T>) -> Enu<T> {
+        self.offset_to_enu_inline(offset)
+    }
+
+    #[inline(always)]
+    pub(crate) fn offset_to_enu_inline(&self, offset: GeodeticOffset<T>) -> Enu<T> {
         let GeodeticOffset { lat, lon, height } = offset;
         let long = LongOffset {
             lat: (lat, T::ZERO),
@@ -215,10 +241,10 @@ impl<T: Real> LocalFrame<T> {
         Ok(self.ellipsoid.to_geodetic(ecef))
     }
 
-    /// The offset of a point. There is none within a/2 of the Earth's centre or of a centre of curvature,
-    /// farther away than 1000 a, and where a component is not finite.
+    /// The offset of a point, and whether there is one: not within a/2 of the Earth's centre or of a centre of
+    /// curvature, farther away than 1000 a, and where a component is not finite.
     #[inline(always)]
-    fn long_offset(&self, Enu { east, north, up }: Enu<T>) -> Option<LongOffset<T>> {
+    fn long_offset(&self, Enu { east, north, up }: Enu<T>) -> (LongOffset<T>, bool) {
         let (zero, one) = (T::ZERO, T::ONE);
         let (a, e2) = (self.ellipsoid.a(), self.ellipsoid.e2());
         let degrees = T::of(180.0 / PI);
@@ -295,7 +321,7 @@ impl<T: Real> LocalFrame<T> {
             & (distance < reach)
             & (e2.abs() <= T::of(0.25))
             & (rho < reach);
-        ordinary.then_some(LongOffset { lat, lon, height })
+        (LongOffset { lat, lon, height }, ordinary)
     }
 }
 

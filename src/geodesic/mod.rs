@@ -29,6 +29,7 @@ pub use error::GeodesicError;
 pub use general::{Line, LinePoint};
 pub use karney::{Area, PolygonArea, Solution};
 pub use method::{InvalidMethod, UnknownMethod, Visitor};
+pub(crate) use planar_area::Tangent;
 pub use planar_area::{PlanarArea, PlanarPolygon};
 pub use profile::{Linear, Profile, Surface, WorstErrors};
 

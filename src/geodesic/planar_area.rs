@@ -63,7 +63,7 @@ pub struct PlanarPolygon<T> {
 /// The ellipsoid about a polygon's first corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct Tangent<T> {
+pub(crate) struct Tangent<T> {
     /// The distance from the axis, by powers 1, u, u², u³ of the radians u to the north.
     axis: [T; 4],
     /// The distance to the north in the tangent plane, by powers u, u², u³.
@@ -107,7 +107,7 @@ impl<T: Real> PlanarArea<T> {
         }
     }
 
-    fn tangent(&self, place: LatLon<T>) -> Tangent<T> {
+    pub(crate) fn tangent(&self, place: LatLon<T>) -> Tangent<T> {
         let half = T::of(0.5);
         let third = T::of(1.0 / 3.0);
         let (s, c) = DoubleWord::sum(self.origin, place.lat()).sin_cos_degrees();
@@ -141,7 +141,12 @@ impl<T: Real> PlanarPolygon<T> {
             self.first = Some((corner, self.area.tangent(corner)));
             return;
         };
-        let [east, north] = tangent.plane(latitude_difference(first, corner), longitude_difference(first, corner));
+        self.reach(&tangent, tangent.seen(first, corner));
+    }
+
+    /// Adds a corner other than the first, by its place in the plane.
+    #[inline(always)]
+    pub(crate) fn reach(&mut self, tangent: &Tangent<T>, [east, north]: [T; 2]) {
         let [e, n] = self.last;
         let (de, dn) = (east - e, north - n);
         let squares = (e * e + n * n) + (east * east + north * north) + (de * de + dn * dn);
@@ -159,6 +164,12 @@ impl<T: Real> PlanarPolygon<T> {
 }
 
 impl<T: Real> Tangent<T> {
+    /// East and north of the first corner in the tangent plane, in metres.
+    #[inline(always)]
+    pub(crate) fn seen(&self, first: LatLon<T>, corner: LatLon<T>) -> [T; 2] {
+        self.plane(latitude_difference(first, corner), longitude_difference(first, corner))
+    }
+
     /// East and north in the tangent plane in metres, of a place so far north and east of the first corner.
     #[inline(always)]
     fn plane(&self, lat: DoubleWord<T>, lon: DoubleWord<T>) -> [T; 2] {

@@ -91,6 +91,19 @@ impl<T: Real> Cell for T {
     }
 }
 
+macro_rules! whole_numbers {
+    ($($integer:ty)*) => {$(
+        impl Cell for $integer {
+            #[inline(always)]
+            fn nothing() -> Self {
+                0
+            }
+        }
+    )*};
+}
+
+whole_numbers! { u8 u32 u64 }
+
 impl<V: Copy + Default, const N: usize> Source for [&[V]; N] {
     type Row = [V; N];
     type Spare = [[V; BLOCK]; N];

@@ -33,6 +33,24 @@ pub struct Hilbert;
 
 impl Curve for Hilbert {}
 
+/// S2's number of each face, by this crate's number, four bits each.
+const S2_NUMBERS: u32 = {
+    let (mut numbers, mut rest) = (0, &Face::ALL as &[Face]);
+    while let [face, others @ ..] = rest {
+        numbers |= (Numbering::S2.number(*face) as u32) << (4 * face.index());
+        rest = others;
+    }
+    numbers
+};
+/// This crate's number of each face, by S2's; 0 past the last.
+const S2_FACES: u32 = {
+    let (mut faces, mut rest) = (0, &Face::ALL as &[Face]);
+    while let [face, others @ ..] = rest {
+        faces |= (face.index() as u32) << (4 * Numbering::S2.number(*face));
+        rest = others;
+    }
+    faces
+};
 /// Every other one of 30 bits, starting with the highest.
 const ODD: u32 = 0x2aaa_aaaa;
 /// The lowest 30 bits.
@@ -43,20 +61,12 @@ const ALTERNATE: u64 = 0x5555_5555_5555_5555;
 impl Order for Hilbert {
     #[inline(always)]
     fn number(face: Face) -> u8 {
-        Numbering::S2.number(face)
+        (S2_NUMBERS >> (4 * face.index())) as u8 & 7
     }
 
     #[inline(always)]
     fn face(number: u8) -> Face {
-        const FACES: [Face; 6] = [
-            Face::Front,
-            Face::Right,
-            Face::Top,
-            Face::Back,
-            Face::Left,
-            Face::Bottom,
-        ];
-        FACES.get(usize::from(number)).copied().unwrap_or(Face::Front)
+        Face::numbered((S2_FACES >> (4 * (number & 7))) as u8 & 7)
     }
 
     #[inline(always)]

@@ -90,15 +90,22 @@ impl<C: Curve> Key<C> {
     /// not at the position where a key of some level ends (an even position, 0 to 60).
     #[inline]
     pub fn new(bits: u64) -> Result<Self, InvalidKey> {
-        if bits >> BELOW_FACE < 6 && bits & bits.wrapping_neg() & PAIRS != 0 {
+        if Self::is_key(bits) {
             Ok(Self::within(bits))
         } else {
             Err(InvalidKey(bits))
         }
     }
 
+    /// Whether a key has this number.
     #[inline(always)]
-    fn within(bits: u64) -> Self {
+    pub(crate) const fn is_key(bits: u64) -> bool {
+        (bits >> BELOW_FACE < 6) & (bits & bits.wrapping_neg() & PAIRS != 0)
+    }
+
+    /// Creates a key from a number that is known to be one.
+    #[inline(always)]
+    pub(crate) fn within(bits: u64) -> Self {
         Self {
             bits,
             curve: C::default(),
@@ -114,7 +121,7 @@ impl<C: Curve> Key<C> {
 
     /// Returns the tile's level, 0 to 30.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub const fn level(self) -> u8 {
         Tile::MAX_LEVEL - (self.bits.trailing_zeros() / 2) as u8
     }
@@ -177,7 +184,7 @@ const fn end_of(level: u8) -> u64 {
 }
 
 impl<C: Curve> From<Tile> for Key<C> {
-    #[inline]
+    #[cfg_attr(not(small), inline(always))]
     fn from(Tile { face, level, i, j }: Tile) -> Self {
         let up = Tile::MAX_LEVEL - level;
         let place = u64::from(C::number(face)) << (BELOW_FACE - 1) | C::place(face, i << up, j << up);
@@ -187,7 +194,7 @@ impl<C: Curve> From<Tile> for Key<C> {
 }
 
 impl<C: Curve> From<Key<C>> for Tile {
-    #[inline]
+    #[cfg_attr(not(small), inline(always))]
     fn from(key: Key<C>) -> Self {
         let level = key.level();
         let face = C::face((key.bits >> BELOW_FACE) as u8);

@@ -125,6 +125,7 @@ pub use morton::Morton;
 pub use neighbour::{Adjacent, Along, Around, Diagonal};
 pub use patch::{InvalidPatch, Patch, Patches};
 pub use s2::InvalidNumberedTile;
+pub(crate) use s2::{has_s2_leaf, leaf_of};
 pub use selection::{Detail, InvalidDetail, Selection};
 pub use series::Series;
 pub use split::Split;

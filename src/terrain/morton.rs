@@ -33,7 +33,7 @@ impl Order for Morton {
 
     #[inline(always)]
     fn face(number: u8) -> Face {
-        Face::from_index(number).unwrap_or(Face::Front)
+        Face::numbered(if number > 5 { 0 } else { number })
     }
 
     #[inline(always)]

@@ -1,5 +1,6 @@
 use super::{Hilbert, InvalidTile, Key, Tile};
 use crate::cube::{Edge, Face, InvalidFace, InvalidFacePoint, InvalidNumbered, Numbering};
+use crate::math::select;
 use crate::{Direction, InvalidDirection, Real};
 
 /// The cells of Google's S2, chosen as S2 itself chooses them.
@@ -56,11 +57,11 @@ impl Key<Hilbert> {
     /// [`InvalidDirection`] if the vector is zero, or if a component is infinite or NaN.
     #[inline]
     pub fn s2_leaf_of([x, y, z]: [f64; 3]) -> Result<Self, InvalidDirection<f64>> {
-        let zero = (x == 0.0) & (y == 0.0) & (z == 0.0);
-        if zero || !(x.is_finite() && y.is_finite() && z.is_finite()) {
-            return Err(InvalidDirection { x, y, z });
+        if has_s2_leaf([x, y, z]) {
+            Ok(leaf_of([x, y, z]))
+        } else {
+            Err(InvalidDirection { x, y, z })
         }
-        Ok(leaf_of([x, y, z]))
     }
 
     /// Returns S2's leaf cell of cell-space coordinates (s, t) ∈ [0, 1]² on one of S2's faces, 0 to 5. A
@@ -107,27 +108,43 @@ impl Key<Hilbert> {
 }
 
 /// The leaf of a vector that is not zero, computed as in `S2::XYZtoFaceUV` and `S2::UVtoST`.
-fn leaf_of([x, y, z]: [f64; 3]) -> Key<Hilbert> {
+#[inline(always)]
+pub(crate) fn leaf_of([x, y, z]: [f64; 3]) -> Key<Hilbert> {
     let [a, b, c] = [x, y, z].map(f64::abs);
-    let (face, uv) = match (a > b && a > c, b > c) {
-        (true, _) if x < 0.0 => (Face::Back, [z / x, y / x]),
-        (true, _) => (Face::Front, [y / x, z / x]),
-        // Here a ≤ b: if a were larger than b > c, the first arm would have matched.
-        (_, true) if y < 0.0 => (Face::Left, [z / y, -x / y]),
-        (_, true) => (Face::Right, [-x / y, z / y]),
-        _ if z < 0.0 => (Face::Bottom, [-y / z, -x / z]),
-        _ => (Face::Top, [-x / z, -y / z]),
+    let front = (a > b) & (a > c);
+    // If not in front, a ≤ b where b > c.
+    let side = !front & (b > c);
+    let outward = select(front, x, select(side, y, z));
+    let (right, up) = (select(front, y, -x), select(front | side, z, -y));
+    let behind = outward < 0.0;
+    let uv = [select(behind, up, right) / outward, select(behind, right, up) / outward];
+    // Front, right and top; back, left and bottom.
+    let face = if front {
+        2 * u8::from(behind)
+    } else if side {
+        1 + 2 * u8::from(behind)
+    } else {
+        4 + u8::from(behind)
     };
-    leaf(face, uv.map(quadratic))
+    leaf(Face::numbered(face), uv.map(quadratic))
+}
+
+/// Whether a vector has a direction.
+#[inline(always)]
+pub(crate) fn has_s2_leaf([x, y, z]: [f64; 3]) -> bool {
+    let zero = (x == 0.0) & (y == 0.0) & (z == 0.0);
+    !zero & x.is_finite() & y.is_finite() & z.is_finite()
 }
 
 /// S2's quadratic transformation, with S2's rounding ([`S2Quadratic`](crate::cube::S2Quadratic) rounds less).
+#[inline(always)]
 fn quadratic(u: f64) -> f64 {
     let root = 0.5 * Real::sqrt(1.0 + 3.0 * u.abs());
-    if u >= 0.0 { root } else { 1.0 - root }
+    select(u >= 0.0, root, 1.0 - root)
 }
 
 /// The leaf of S2's (s, t) on a face (`S2::STtoIJ`).
+#[inline(always)]
 fn leaf(face: Face, st: [f64; 2]) -> Key<Hilbert> {
     const COUNT: u32 = 1 << Tile::MAX_LEVEL;
     let [i, j] = st.map(|s| ((s * f64::from(COUNT)) as u32).min(COUNT - 1));

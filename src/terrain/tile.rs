@@ -93,13 +93,17 @@ impl Tile {
         if level > Self::MAX_LEVEL {
             return Err(InvalidTile::Level(level));
         }
+        let [i, j] = [point.x(), point.y()].map(|x| Self::index(x, level));
+        Ok(Self::within(point.face(), level, i, j))
+    }
+
+    /// The column or row of a coordinate at a level of at most 30.
+    #[inline(always)]
+    pub(crate) fn index<T: Real>(x: T, level: u8) -> u32 {
         let half = 1_u32 << (Self::MAX_LEVEL - 1);
-        let index = |x: T| {
-            // Scaling is exact; adding 1 to x before it would round.
-            let finest = (x * T::whole(half.into())).floor().wrapping_add_unsigned(half);
-            (finest as u32).min(2 * half - 1) >> (Self::MAX_LEVEL - level)
-        };
-        Ok(Self::within(point.face(), level, index(point.x()), index(point.y())))
+        // Scaling is exact; adding 1 to x before it would round.
+        let finest = (x * T::whole(half.into())).floor().wrapping_add_unsigned(half);
+        (finest as u32).min(2 * half - 1) >> (Self::MAX_LEVEL - level)
     }
 
     /// Returns the face.
@@ -249,14 +253,18 @@ impl Tile {
     #[must_use]
     #[inline]
     pub fn node<T: Real>(self, [m, n]: [u32; 2], count: u32) -> FacePoint<T> {
+        let [x, y] = [(self.i, m), (self.j, n)].map(|(index, m)| self.coordinate(index, m, count));
+        FacePoint::within(self.face, x, y)
+    }
+
+    /// The coordinate of a node of the grid, in this tile's column or row.
+    #[inline(always)]
+    pub(crate) fn coordinate<T: Real>(self, index: u32, m: u32, count: u32) -> T {
         let count = u64::from(count) + u64::from(count == 0);
         let across = count << self.level;
-        let coordinate = |index: u32, m: u32| {
-            let twice = 2 * (u64::from(index) * count + u64::from(m).min(count));
-            let distance = T::whole(twice.abs_diff(across)) / T::whole(across);
-            select(twice < across, -distance, distance)
-        };
-        FacePoint::within(self.face, coordinate(self.i, m), coordinate(self.j, n))
+        let twice = 2 * (u64::from(index) * count + u64::from(m).min(count));
+        let distance = T::whole(twice.abs_diff(across)) / T::whole(across);
+        select(twice < across, -distance, distance)
     }
 
     /// Returns the point of the face at position (s, t) of the tile. It is correctly rounded in `f64`, and in

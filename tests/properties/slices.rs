@@ -1,12 +1,21 @@
 //! Over slices: the same bits as one by one, for every length and for special values, and all of them where some are refused.
 
-use terrella::batch::{self, InvalidBatch, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
+use core::convert::Infallible;
+use terrella::batch::{
+    self, InvalidBatch, area::InvalidRing, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem,
+    terrain::InvalidTiled,
+};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, Projection, QuadCube};
-use terrella::geodesic::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, Method, Vincenty, Visitor};
+use terrella::frame::{GeodeticOffset, InvalidEnu};
+use terrella::geodesic::{
+    Area, Direct, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, Method, PlanarArea, Vincenty, Visitor,
+};
 use terrella::latitude::{Conversion, InvalidLatitude};
+use terrella::scene::{AnyArea, Scene, View};
+use terrella::terrain::{Curve, Hilbert, InvalidKey, InvalidNumberedTile, InvalidTile, Key, Morton, Tile};
 use terrella::{
-    Direction, Ecef, Ellipsoid, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon,
-    Latitude, Real, Shift, Shifted,
+    Aer, Direction, Ecef, Ellipsoid, Enu, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon,
+    LatLon, Latitude, LocalFrame, Ned, Real, Shift, Shifted,
 };
 
 /// Lengths about the ends of vectors, blocks and buffers; few under Miri, which takes a thousand times as long.
@@ -544,6 +553,486 @@ fn ecef_is_the_same_bits() {
     every_ecef::<f32>();
 }
 
+/// All of a frame, about an origin: the conversions to and from three kinds of axes.
+fn every_frame<T: Scalar>(frame: &LocalFrame<T>) {
+    fn enu<T: Scalar>([east, north, up]: [T; 3]) -> Enu<T> {
+        Enu { east, north, up }
+    }
+    fn ned<T: Scalar>([north, east, down]: [T; 3]) -> Ned<T> {
+        Ned { north, east, down }
+    }
+    fn aer<T: Scalar>([azimuth, elevation, range]: [T; 3]) -> Aer<T> {
+        Aer {
+            azimuth,
+            elevation,
+            range,
+        }
+    }
+    let of_enu = |Enu { east, north, up }: Enu<T>| [east, north, up];
+    let of_ned = |Ned { north, east, down }: Ned<T>| [north, east, down];
+    let of_aer = |Aer {
+                      azimuth,
+                      elevation,
+                      range,
+                  }: Aer<T>| [azimuth, elevation, range];
+    let of_offset = |GeodeticOffset { lat, lon, height }: GeodeticOffset<T>| [lat, lon, height];
+    let of_place = |place: Geodetic<T>| [place.lat(), place.lon(), place.height()];
+    let nothing = [T::of(f64::NAN); 3];
+    let point = |[x, y, z]: [T; 3]| Ecef::new(x, y, z).unwrap();
+    let place = |[lat, lon, height]: [T; 3]| Geodetic::new(LatLon::new(lat, lon).unwrap(), height).unwrap();
+    let [lat, lon] = places::<T>();
+    let points = [11, 12, 13].map(|seed| scaled(&numbers(seed, ENDS), 7e6));
+    let places = [lat.clone(), lon.clone(), scaled(&numbers(10, ENDS), 1e7)];
+    // From the origin to the centre of the Earth and beyond, and far into space; not finite as a point.
+    let far = f64::from(f32::MAX);
+    let rows = |units: [f64; 3]| {
+        let special = [0.0, -0.0, 1.0, -1.0, 1e3, 1e-6, 1e-20, f64::INFINITY, f64::NAN, far];
+        let mut columns = units.map(|unit| scaled(&numbers(14, &special), unit));
+        for (seed, column) in (15..).zip(&mut columns) {
+            column.rotate_left(seed);
+        }
+        columns
+    };
+    let along = rows([1e7; 3]);
+    let aers = rows([200.0, 90.0, 1e7]);
+    macro_rules! compare {
+        ($columns:expr, $name:ident, |$row:ident| $one:expr) => {
+            compare(
+                stringify!($name),
+                $columns,
+                &|$row| $one,
+                &|from: [&[T]; 3], into| {
+                    let row = |i: usize| from.each_ref().map(|column| column[i]);
+                    let refused = (0..from[0].len()).filter(|&i| {
+                        let $row = row(i);
+                        let result: [T; 3] = $one;
+                        // The open conversions keep NaN.
+                        result.iter().all(|value| bits(&[*value]) == bits(&nothing[..1]))
+                    });
+                    let refused: Vec<_> = refused.collect();
+                    match batch::frame::$name(frame, from, into) {
+                        Err(InvalidBatch::Elements { count, first, .. }) => {
+                            assert_eq!((count, Some(&first)), (refused.len(), refused.first()))
+                        }
+                        other => assert_eq!(other, Ok(())),
+                    }
+                },
+            )
+        };
+    }
+    compare!(&points, to_enu, |row| of_enu(frame.to_enu(point(row))));
+    compare!(&points, to_ned, |row| of_ned(frame.to_ned(point(row))));
+    compare!(&points, to_aer, |row| of_aer(frame.to_aer(point(row))));
+    compare!(&places, geodetic_to_enu, |row| of_enu(
+        frame.geodetic_to_enu(place(row))
+    ));
+    compare!(&places, geodetic_to_ned, |row| of_ned(
+        frame.geodetic_to_ned(place(row))
+    ));
+    compare!(&places, geodetic_to_aer, |row| of_aer(
+        frame.geodetic_to_aer(place(row))
+    ));
+    compare!(&along, from_enu, |row| frame
+        .from_enu(enu(row))
+        .map_or(nothing, Ecef::to_array));
+    compare!(&along, from_ned, |row| frame
+        .from_ned(ned(row))
+        .map_or(nothing, Ecef::to_array));
+    compare!(&aers, from_aer, |row| frame
+        .from_aer(aer(row))
+        .map_or(nothing, Ecef::to_array));
+    compare!(&along, enu_to_geodetic, |row| frame
+        .enu_to_geodetic(enu(row))
+        .map_or(nothing, of_place));
+    compare!(&along, ned_to_geodetic, |row| frame
+        .ned_to_geodetic(ned(row))
+        .map_or(nothing, of_place));
+    compare!(&aers, aer_to_geodetic, |row| frame
+        .aer_to_geodetic(aer(row))
+        .map_or(nothing, of_place));
+    compare!(&along, enu_to_offset, |row| frame
+        .enu_to_offset(enu(row))
+        .map_or(nothing, of_offset));
+    compare!(&places, offset_to_enu, |row| {
+        let [lat, lon, height] = row;
+        of_enu(frame.offset_to_enu(GeodeticOffset { lat, lon, height }))
+    });
+    compare!(&along, vector_to_enu, |row| of_enu(frame.vector_to_enu(row)));
+    compare!(&along, vector_from_enu, |row| frame.vector_from_enu(enu(row)));
+}
+
+#[test]
+fn frames_are_the_same_bits() {
+    fn both<T: Scalar>() {
+        for [lat, lon, height] in [
+            [47.0, 8.0, 400.0],
+            [-90.0, 30.0, 0.0],
+            [0.5, -180.0, -4e6],
+            [60.0, 179.5, 1e9],
+        ] {
+            let place = LatLon::new(T::of(lat), T::of(lon)).unwrap();
+            let origin = Geodetic::new(place, T::of(height)).unwrap();
+            every_frame(&LocalFrame::new(Ellipsoid::WGS84, origin));
+        }
+        every_frame(&LocalFrame::new(
+            Ellipsoid::new(T::of(1e6), T::of(0.3)).unwrap(),
+            Geodetic::default(),
+        ));
+    }
+    both::<f64>();
+    both::<f32>();
+}
+
+/// Keys of both curves, from tiles and back, and of places.
+fn every_key<T: Scalar, C: Curve>() {
+    let mut rng = fastrand::Rng::with_seed(41);
+    let tiles = [(); ALL].map(|()| {
+        let level = rng.u8(0..=30);
+        let [i, j] = [(); 2].map(|()| rng.u32(0..1 << level));
+        Tile::new(Face::ALL[rng.usize(0..6)], level, i, j).unwrap()
+    });
+    let keys = tiles.map(|tile| Key::<C>::from(tile).bits());
+    for part in parts() {
+        let tiles = &tiles[part.clone()];
+        let faces: Vec<Face> = tiles.iter().map(|tile| tile.face()).collect();
+        let levels: Vec<u8> = tiles.iter().map(|tile| tile.level()).collect();
+        let [i, j]: [Vec<u32>; 2] = [
+            tiles.iter().map(|tile| tile.i()).collect(),
+            tiles.iter().map(|tile| tile.j()).collect(),
+        ];
+        let mut found = vec![7; part.len()];
+        batch::terrain::to_key::<C, _>(&faces, &levels, [&i, &j], &mut found).unwrap();
+        assert_eq!(found, keys[part.clone()]);
+        let (mut f, mut l, mut a, mut b) = (vec![9_u8; part.len()], levels.clone(), i.clone(), j.clone());
+        l.fill(9);
+        a.fill(9);
+        b.fill(9);
+        batch::terrain::from_key::<C, _>(&found, &mut f, &mut l, [&mut a, &mut b]).unwrap();
+        assert_eq!((&l, &a, &b), (&levels, &i, &j));
+        assert!(f.iter().zip(&faces).all(|(f, face)| *f == face.index()));
+    }
+    let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, Projection::S2Quadratic).unwrap();
+    let ([lat, lon], [x, y, z]) = (places::<T>(), directions::<T>());
+    let key = |point, level| Key::<C>::from(Tile::containing(point, level).unwrap()).bits();
+    for (part, level) in parts().zip([0, 1, 12, 29, 30].into_iter().cycle()) {
+        let mut found = vec![7; part.len()];
+        batch::terrain::places_to_key::<C, _, _>(&map, level, [&lat[part.clone()], &lon[part.clone()]], &mut found)
+            .unwrap();
+        for (i, &found) in part.clone().zip(&found) {
+            assert_eq!(found, key(map.project(LatLon::new(lat[i], lon[i]).unwrap()), level));
+        }
+        let columns = [&x[part.clone()], &y[part.clone()], &z[part.clone()]];
+        batch::terrain::directions_to_key::<C, _, _>(Projection::Cobe, level, columns, &mut found).unwrap();
+        for (i, found) in part.clone().zip(found) {
+            let point = Projection::Cobe.project(Direction::new(x[i], y[i], z[i]).unwrap());
+            assert_eq!(found, key(point, level));
+        }
+        let [face, x, y] = points::<T>().map(|column| column[part.clone()].to_vec());
+        let (mut i, mut j) = (vec![7; part.len()], vec![7; part.len()]);
+        batch::terrain::containing(level, &bytes(&face), [&x, &y], [&mut i, &mut j]).unwrap();
+        for index in 0..part.len() {
+            let point = FacePoint::new(faces(&face)[index], x[index], y[index]).unwrap();
+            let tile = Tile::containing(point, level).unwrap();
+            assert_eq!((i[index], j[index]), (tile.i(), tile.j()));
+        }
+    }
+}
+
+#[test]
+fn keys_are_the_same_bits() {
+    every_key::<f64, Hilbert>();
+    every_key::<f32, Hilbert>();
+    every_key::<f64, Morton>();
+    every_key::<f32, Morton>();
+}
+
+#[test]
+fn s2_cells_are_the_same_bits() {
+    let ends = &[0.0, -0.0, 1.0, -1.0, 0.5, -0.5, 1e-300, -1e-300];
+    let [x, y, z] = [1, 2, 3].map(|seed| numbers::<f64>(seed, ends));
+    for part in parts() {
+        let mut found = vec![7; part.len()];
+        let result = batch::terrain::s2_leaf([&x[part.clone()], &y[part.clone()], &z[part.clone()]], &mut found);
+        let expected = part.clone().map(|i| Key::s2_leaf_of([x[i], y[i], z[i]]));
+        assert!(
+            found
+                .iter()
+                .zip(expected.clone())
+                .all(|(found, key)| *found == key.map_or(0, Key::bits))
+        );
+        let refused = expected.clone().filter(Result::is_err).count();
+        match result {
+            Ok(()) => assert_eq!(refused, 0),
+            Err(InvalidBatch::Elements { count, first, why }) => {
+                assert_eq!((count, Err(why)), (refused, expected.clone().nth(first).unwrap()));
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn tiles_that_are_refused() {
+    // 70 elements, of which some are bad: keys of nothing, tiles of no level.
+    let bad = [0, 0x5000_0000_0000_0002, u64::MAX, 1 << 63, 0xd000_0000_0000_0000];
+    let good = Key::<Hilbert>::from(Tile::new(Face::Top, 4, 3, 9).unwrap()).bits();
+    for length in [3, 70] {
+        for bits in bad {
+            let mut keys = vec![good; length];
+            (keys[1], keys[length - 1]) = (bits, bits);
+            let (mut face, mut level) = (vec![Face::Left; length], vec![7; length]);
+            let (mut i, mut j) = (vec![7; length], vec![7; length]);
+            let found = batch::terrain::from_key::<Hilbert, _>(&keys, &mut face, &mut level, [&mut i, &mut j]);
+            let (count, first, why) = (2, 1, InvalidKey(bits));
+            assert_eq!(found, Err(InvalidBatch::Elements { count, first, why }));
+            assert_eq!((face[0], level[0], i[0], j[0]), (Face::Top, 4, 3, 9));
+            assert_eq!((face[1], level[1], i[1], j[1]), (Face::Front, 0, 0, 0));
+        }
+        let level_31 = InvalidNumberedTile::Tile(InvalidTile::Level(31));
+        let column = InvalidNumberedTile::Tile(InvalidTile::Column { level: 4, i: 16 });
+        let row = InvalidNumberedTile::Tile(InvalidTile::Row { level: 4, j: u32::MAX });
+        let face = InvalidNumberedTile::Face(InvalidFace(6));
+        for (tile, why) in [
+            ((0, 31, 0, 0), level_31),
+            ((0, 4, 16, 0), column),
+            ((0, 4, 0, u32::MAX), row),
+            ((6, 99, 0, 0), face),
+        ] {
+            let (mut f, mut l, mut i, mut j) = (vec![4; length], vec![4; length], vec![3; length], vec![9; length]);
+            (f[1], l[1], i[1], j[1]) = tile;
+            let mut keys = vec![7; length];
+            let found = batch::terrain::to_key::<Hilbert, u8>(&f, &l, [&i, &j], &mut keys);
+            let (count, first) = (1, 1);
+            assert_eq!(found, Err(InvalidBatch::Elements { count, first, why }));
+            assert_eq!((keys[0], keys[1], keys[2]), (good, 0, good));
+        }
+        let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Vertex).unwrap();
+        let mut lat = vec![1.0; length];
+        lat[1] = f64::NAN;
+        let (lon, mut keys) = (vec![2.0; length], vec![7; length]);
+        let found = batch::terrain::places_to_key::<Morton, _, _>(&map, 30, [&lat, &lon], &mut keys);
+        assert!(matches!(
+            found,
+            Err(InvalidBatch::Elements {
+                count: 1,
+                first: 1,
+                why: InvalidTiled::Place(_)
+            })
+        ));
+        assert!(keys[1] == 0 && keys[0] == keys[2] && keys[0] != 0);
+        let found = batch::terrain::places_to_key::<Morton, _, _>(&map, 31, [&lat, &lon], &mut keys);
+        let (count, first, why) = (length, 0, InvalidTiled::Tile(InvalidTile::Level(31)));
+        assert_eq!(found, Err(InvalidBatch::Elements { count, first, why }));
+        assert!(keys.iter().all(|&key| key == 0));
+        let found = batch::terrain::places_to_key::<Morton, _, _>(&map, 31, [&lat, &lon], &mut keys[1..]);
+        assert_eq!(
+            found,
+            Err(InvalidBatch::Lengths {
+                first: length,
+                other: length - 1
+            })
+        );
+        assert_eq!(
+            batch::terrain::places_to_key::<Morton, f64, _>(&map, 31, [&[], &[]], &mut []),
+            Ok(())
+        );
+    }
+}
+
+fn every_sample<T: Scalar>() {
+    let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Conformal, Projection::Balanced).unwrap();
+    for (tile, samples) in [
+        (Tile::root(Face::Left), 0),
+        (Tile::root(Face::Top), 1),
+        (Tile::new(Face::Bottom, 3, 7, 2).unwrap(), 2),
+        (Tile::new(Face::Back, 20, 1 << 19, 77).unwrap(), 17),
+        (Tile::new(Face::Front, 30, 5, 1 << 29).unwrap(), 33),
+    ] {
+        let length = (samples * samples) as usize;
+        let mut found = [(); 5].map(|()| vec![T::of(7.0); length]);
+        let [lat, lon, x, y, z] = &mut found;
+        batch::terrain::sample_places(&map, tile, samples, [lat, lon]).unwrap();
+        batch::terrain::sample_directions(Projection::Vertex, tile, samples, [x, y, z]).unwrap();
+        for index in 0..length as u32 {
+            let node = tile.node([index % samples, index / samples], samples.saturating_sub(1));
+            let (place, direction) = (map.unproject(node), Projection::Vertex.unproject(node));
+            let [x, y, z] = direction.to_array();
+            let row = found.each_ref().map(|column| column[index as usize]);
+            assert_eq!(bits(&row), bits(&[place.lat(), place.lon(), x, y, z]));
+        }
+        let [lat, lon, ..] = &mut found;
+        lat.push(T::ZERO);
+        let refused = batch::terrain::sample_places(&map, tile, samples, [lat, lon]);
+        assert_eq!(
+            refused,
+            Err(InvalidBatch::Lengths {
+                first: length,
+                other: length + 1
+            })
+        );
+    }
+}
+
+#[test]
+fn samples_are_the_same_bits() {
+    every_sample::<f64>();
+    every_sample::<f32>();
+}
+
+/// Rings of 0 to 300 corners, about places and anywhere.
+fn every_ring<T: Scalar>() {
+    let mut rng = fastrand::Rng::with_seed(43);
+    let mut offsets = vec![0_i32];
+    let mut corners = [const { Vec::<T>::new() }; 2];
+    for count in [0, 1, 2, 3, 4, 15, 16, 17, 18, 64, 65, 100, 256, 257, 258, 300] {
+        let middle = [89.9 * (2.0 * rng.f64() - 1.0), 360.0 * rng.f64()];
+        let size = [0.01, 1.0, 30.0][rng.usize(0..3)];
+        for _ in 0..count {
+            let lat = (middle[0] + size * (rng.f64() - 0.5)).clamp(-90.0, 90.0);
+            corners[0].push(T::of(lat));
+            corners[1].push(T::of(middle[1] + size * (rng.f64() - 0.5)));
+        }
+        offsets.push(corners[0].len() as i32);
+    }
+    // One that is too long, one backwards, one that starts below 0; then a good one.
+    offsets.extend([i32::MAX, 30, 10, -1, 0, 4]);
+    let rings = offsets.len() - 1;
+    let [lat, lon] = &mut corners;
+    let bad = [0, 3, 12, 290].map(|i| offsets[12] as usize + i);
+    for sabotaged in [false, true] {
+        if sabotaged {
+            for &index in &bad {
+                lat[index] = T::of(f64::NAN);
+            }
+        }
+        let area = Area::new(Ellipsoid::<T>::WGS84).unwrap();
+        let planes = [
+            PlanarArea::new(Ellipsoid::<T>::WGS84).unwrap(),
+            PlanarArea::local(Ellipsoid::<T>::WGS84, LatLon::new(T::of(-3.0), T::ZERO).unwrap()).unwrap(),
+        ];
+        let ring = |i: usize| {
+            let range = usize::try_from(offsets[i]).ok()?..usize::try_from(offsets[i + 1]).ok()?;
+            let (lat, lon) = (lat.get(range.clone())?, lon.get(range)?);
+            let corners = lat.iter().zip(lon).map(|(&lat, &lon)| LatLon::new(lat, lon));
+            corners.collect::<Result<Vec<_>, _>>().ok()
+        };
+        let refused: Vec<_> = (0..rings).filter(|&i| ring(i).is_none()).collect();
+        let check = |result: Result<(), InvalidBatch<InvalidRing<T>>>| match result {
+            Err(InvalidBatch::Elements { count, first, why }) => {
+                assert_eq!((count, first), (refused.len(), refused[0]));
+                let sabotaged = matches!(why, InvalidRing::Corner { index, .. } if index == bad[0]);
+                assert!(
+                    sabotaged
+                        || why
+                            == InvalidRing::Offsets {
+                                start: offsets[first] as usize,
+                                end: i32::MAX as usize
+                            }
+                );
+            }
+            other => panic!("{other:?}"),
+        };
+        let nan = T::of(f64::NAN);
+        let [mut areas, mut perimeters] = [(); 2].map(|()| vec![T::of(7.0); rings]);
+        check(batch::area::polygons(
+            &area,
+            &offsets,
+            [lat, lon],
+            &mut areas,
+            &mut perimeters,
+        ));
+        for i in 0..rings {
+            let [found, length] = ring(i).map_or([nan; 2], |corners| {
+                let mut polygon = area.polygon();
+                corners.into_iter().for_each(|corner| polygon.add(corner));
+                [polygon.area(), polygon.perimeter()]
+            });
+            assert_eq!(bits(&[areas[i], perimeters[i]]), bits(&[found, length]), "ring {i}");
+        }
+        let solvers = [
+            AnyArea::Ellipsoid(area),
+            AnyArea::Plane(planes[0]),
+            AnyArea::Plane(planes[1]),
+        ];
+        for solver in solvers {
+            check(batch::scene::areas(&solver, &offsets, [lat, lon], &mut areas));
+            for (i, area) in areas.iter().enumerate() {
+                let found = ring(i).map_or(nan, |corners| solver.area(corners));
+                assert_eq!(bits(&[*area]), bits(&[found]), "ring {i}");
+            }
+        }
+    }
+    let plane = PlanarArea::new(Ellipsoid::<T>::WGS84).unwrap();
+    let mut areas = vec![T::ZERO; 3];
+    let refused = batch::area::fields(&plane, &[0_usize, 1, 2], [&lat[..2], &lon[..2]], &mut areas);
+    assert_eq!(refused, Err(InvalidBatch::Lengths { first: 2, other: 3 }));
+    let refused = batch::area::fields(&plane, &[0_usize, 1], [&lat[..2], &lon[..1]], &mut areas[..1]);
+    assert_eq!(refused, Err(InvalidBatch::Lengths { first: 2, other: 1 }));
+    assert_eq!(batch::area::fields::<T, u32>(&plane, &[], [&[], &[]], &mut []), Ok(()));
+}
+
+#[test]
+fn rings_are_the_same_bits() {
+    every_ring::<f64>();
+    every_ring::<f32>();
+}
+
+fn every_answer<T: Scalar>() {
+    let scene = Scene::around(Ellipsoid::WGS84, 47.0, 1e5).up_to(1e5);
+    let origin = Geodetic::new(LatLon::new(T::of(47.0), T::of(8.0)).unwrap(), T::of(400.0)).unwrap();
+    let [lat, lon] = places::<T>();
+    let columns = [lat, lon, scaled(&numbers(10, ENDS), 1e5)];
+    for view in View::ALL {
+        let view = scene.positions_by::<T>(view).unwrap().about(origin);
+        compare(
+            "enu",
+            &columns,
+            &|[lat, lon, height]| {
+                let place = Geodetic::new(LatLon::new(lat, lon).unwrap(), height).unwrap();
+                let Enu { east, north, up } = view.enu(place);
+                [east, north, up]
+            },
+            &|from, to| batch::scene::enu(&view, from, to).unwrap(),
+        );
+    }
+    for &method in Scene::METHODS {
+        let method = scene.distances_by::<T>(method).unwrap().solver();
+        let nothing = [T::of(f64::NAN); 3];
+        compare(
+            "inverse",
+            &pairs::<T>(),
+            &|[lat1, lon1, lat2, lon2]| {
+                let (from, to) = (LatLon::new(lat1, lon1).unwrap(), LatLon::new(lat2, lon2).unwrap());
+                let line = method.inverse(from, to);
+                line.map_or(nothing, |line| [line.distance, line.azimuth1, line.azimuth2])
+            },
+            &|[lat1, lon1, lat2, lon2], lines| {
+                let _ = batch::scene::inverse(method, [lat1, lon1], [lat2, lon2], lines);
+            },
+        );
+        let [lat, lon, azimuth, distance] = pairs::<T>();
+        compare(
+            "direct",
+            &[lat, lon, azimuth, scaled(&distance, 1e4)],
+            &|[lat, lon, azimuth, distance]| {
+                let end = method
+                    .direct(LatLon::new(lat, lon).unwrap(), azimuth, distance)
+                    .unwrap();
+                [end.position.lat(), end.position.lon(), end.azimuth]
+            },
+            &|[lat, lon, azimuth, distance], ends| {
+                batch::scene::direct(method, [lat, lon], azimuth, distance, ends).unwrap();
+            },
+        );
+    }
+}
+
+#[test]
+fn answers_of_scenes_are_the_same_bits() {
+    every_answer::<f64>();
+    every_answer::<f32>();
+}
+
 fn not_kept<T: Scalar>() {
     // Vectors of any length, and longitudes beyond the half circle, as the constructors take them.
     let size = T::of(if T::EPSILON.into() > 1e-10 { 1e15 } else { 1e150 });
@@ -768,6 +1257,44 @@ fn every_refusal<T: Scalar + PartialEq>() {
     }
     refuse::<T, _, 3, 3>([1.0, 2.0, 3.0], &geodetic, &|from, to| {
         batch::ellipsoid::to_ecef(earth, from, to)
+    });
+
+    let frame = LocalFrame::new(earth, Geodetic::default());
+    refuse::<T, _, 3, 3>([7e6, 0.0, 0.0], &ecef, &|from, to| {
+        batch::frame::to_aer(&frame, from, to)
+    });
+    refuse::<T, _, 3, 3>([1.0, 2.0, 3.0], &geodetic, &|from, to| {
+        batch::frame::geodetic_to_aer(&frame, from, to)
+    });
+    let enu = |[east, north, up]: [f64; 3]| {
+        let why = InvalidEnu {
+            east: of(east),
+            north: of(north),
+            up: of(up),
+        };
+        ([east, north, up], why)
+    };
+    let enu = [[nan, 0.0, 0.0], [0.0, infinite, 0.0], [1.0, 2.0, -infinite]].map(enu);
+    refuse::<T, _, 3, 3>([1.0, 2.0, 3.0], &enu, &|from, to| {
+        batch::frame::enu_to_geodetic(&frame, from, to)
+    });
+    refuse::<T, _, 3, 3>([1.0, 2.0, 3.0], &enu, &|from, to| {
+        batch::frame::enu_to_offset(&frame, from, to)
+    });
+    // At the origin on the x axis, up, east and north are x, y and z.
+    let point = [(
+        [0.0, 1.0, infinite],
+        InvalidEcef {
+            x: of(infinite),
+            y: of(nan),
+            z: of(nan),
+        },
+    )];
+    refuse::<T, _, 3, 3>([1.0, 2.0, 3.0], &point, &|from, to| {
+        batch::frame::from_enu(&frame, from, to)
+    });
+    refuse::<T, Infallible, 3, 3>([1.0, 2.0, 3.0], &[], &|from, to| {
+        batch::frame::vector_to_enu(&frame, from, to)
     });
 }
 

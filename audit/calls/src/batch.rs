@@ -1,10 +1,13 @@
+use core::convert::Infallible;
+
 use terrella::batch::{
-    self, InvalidBatch, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem,
+    self, InvalidBatch, area::InvalidRing, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem,
 };
 use terrella::cube::{CubeMap, Face, Projection};
-use terrella::geodesic::{Geodesic, Karney, Vincenty};
+use terrella::geodesic::{Area, Geodesic, Karney, Method, PlanarArea, Vincenty};
 use terrella::latitude::Conversion;
-use terrella::{Ellipsoid, Latitude, Shift, Shifted};
+use terrella::scene::{Scene, Surface, View};
+use terrella::{Ellipsoid, Latitude, LocalFrame, Shift, Shifted};
 
 use crate::{Arguments, Bits, Function, Hash, POINTS, Scalar, Visitor};
 
@@ -12,11 +15,18 @@ use crate::{Arguments, Bits, Function, Hash, POINTS, Scalar, Visitor};
 const CALLS: usize = 2;
 
 /// Columns of numbers.
-type Columns<T, const N: usize> = [[T; POINTS]; N];
+pub type Columns<T, const N: usize> = [[T; POINTS]; N];
 
 pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     positions::<T, V>(visitor);
     latitudes::<T, V>(visitor);
+    frames::<T, V>(visitor);
+    rings::<T, V>(visitor);
+    if T::NAME == f64::NAME {
+        // Scenes are asked in double precision, whatever they choose for.
+        answers::<f64, V>(visitor);
+        answers::<f32, V>(visitor);
+    }
     cubes::<T, V>(visitor);
     let earth = Ellipsoid::<T>::WGS84;
     if let (Ok(karney), Ok(vincenty)) = (Karney::new(earth), Vincenty::new(earth)) {
@@ -25,21 +35,21 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     }
 }
 
-fn function(name: &'static str, of: &'static str) -> Function {
+pub fn function(name: &'static str, of: &'static str) -> Function {
     Function::of(name, of).calls(CALLS)
 }
 
 /// Numbers in [−1, 1) times what each column is to be in.
-fn columns<T: Scalar, const N: usize>(arguments: &mut Arguments, units: [T; N]) -> Columns<T, N> {
+pub fn columns<T: Scalar, const N: usize>(arguments: &mut Arguments, units: [T; N]) -> Columns<T, N> {
     units.map(|unit| [(); POINTS].map(|()| arguments.unit::<T>() * unit))
 }
 
-fn places<T: Scalar>(arguments: &mut Arguments) -> Columns<T, 2> {
+pub fn places<T: Scalar>(arguments: &mut Arguments) -> Columns<T, 2> {
     columns(arguments, [T::of(90.0), T::of(180.0)])
 }
 
 /// Unit vectors one time, and vectors of any length the other.
-fn vectors<T: Scalar>(arguments: &mut Arguments) -> Columns<T, 3> {
+pub fn vectors<T: Scalar>(arguments: &mut Arguments) -> Columns<T, 3> {
     let unit = arguments.below(2) == 0;
     let mut columns = [[T::ZERO; POINTS]; 3];
     let [x, y, z] = &mut columns;
@@ -51,12 +61,12 @@ fn vectors<T: Scalar>(arguments: &mut Arguments) -> Columns<T, 3> {
     columns
 }
 
-fn face_points<T: Scalar>(arguments: &mut Arguments) -> ([Face; POINTS], Columns<T, 2>) {
+pub fn face_points<T: Scalar>(arguments: &mut Arguments) -> ([Face; POINTS], Columns<T, 2>) {
     let faces = [(); POINTS].map(|()| arguments.face());
     (faces, columns(arguments, [T::ONE; 2]))
 }
 
-fn lent<T, const N: usize>(columns: &Columns<T, N>) -> [&[T]; N] {
+pub fn lent<T, const N: usize>(columns: &Columns<T, N>) -> [&[T]; N] {
     columns.each_ref().map(<[T; POINTS]>::as_slice)
 }
 
@@ -103,6 +113,105 @@ fn positions<T: Scalar, V: Visitor>(visitor: &mut V) {
             )
         },
     );
+}
+
+fn frames<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let frame = LocalFrame::new(Ellipsoid::WGS84, Arguments::new().geodetic::<T>());
+    let geodetics = |arguments: &mut Arguments| columns(arguments, [T::of(90.0), T::of(180.0), T::of(1e5)]);
+    let points = |arguments: &mut Arguments| columns(arguments, [T::of(6.5e6); 3]);
+    // Some of them deep in the Earth.
+    let enu = |arguments: &mut Arguments| columns(arguments, [T::of(1e7); 3]);
+    let aer = |arguments: &mut Arguments| columns(arguments, [T::of(180.0), T::of(90.0), T::of(1e6)]);
+    macro_rules! show {
+        ($($name:literal $function:path, $draw:expr;)*) => {$(
+            visitor.visit::<T, _, _>(function($name, ""), $draw, |from| {
+                into(|to| $function(&frame, lent(&from), to))
+            });
+        )*};
+    }
+    show! {
+        "batch::frame::to_enu" batch::frame::to_enu, points;
+        "batch::frame::to_ned" batch::frame::to_ned, points;
+        "batch::frame::to_aer" batch::frame::to_aer, points;
+        "batch::frame::from_enu" batch::frame::from_enu, enu;
+        "batch::frame::from_ned" batch::frame::from_ned, enu;
+        "batch::frame::from_aer" batch::frame::from_aer, aer;
+        "batch::frame::geodetic_to_enu" batch::frame::geodetic_to_enu, geodetics;
+        "batch::frame::geodetic_to_ned" batch::frame::geodetic_to_ned, geodetics;
+        "batch::frame::geodetic_to_aer" batch::frame::geodetic_to_aer, geodetics;
+        "batch::frame::enu_to_geodetic" batch::frame::enu_to_geodetic, enu;
+        "batch::frame::ned_to_geodetic" batch::frame::ned_to_geodetic, enu;
+        "batch::frame::aer_to_geodetic" batch::frame::aer_to_geodetic, aer;
+        "batch::frame::enu_to_offset" batch::frame::enu_to_offset, enu;
+        "batch::frame::offset_to_enu" batch::frame::offset_to_enu, geodetics;
+        "batch::frame::vector_to_enu" batch::frame::vector_to_enu, points;
+        "batch::frame::vector_from_enu" batch::frame::vector_from_enu, enu;
+    }
+}
+
+/// Rings within a degree, of which the last has too many corners.
+const OFFSETS: [u32; 6] = [0, 0, 3, 20, 150, 151];
+
+fn corners<T: Scalar>(arguments: &mut Arguments) -> Columns<T, 2> {
+    columns(arguments, [T::ONE; 2])
+}
+
+fn rings<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let (Ok(area), Ok(plane)) = (Area::new(Ellipsoid::WGS84), PlanarArea::new(Ellipsoid::WGS84)) else {
+        return;
+    };
+    visitor.visit::<T, _, _>(function("batch::area::polygons", ""), corners::<T>, |corners| {
+        let (mut areas, mut perimeters) = ([T::ZERO; 5], [T::ZERO; 5]);
+        let outcome = batch::area::polygons(&area, &OFFSETS, lent(&corners), &mut areas, &mut perimeters);
+        (areas, perimeters, outcome)
+    });
+    visitor.visit::<T, _, _>(function("batch::area::fields", ""), corners::<T>, |corners| {
+        let mut areas = [T::ZERO; 5];
+        let outcome = batch::area::fields(&plane, &OFFSETS, lent(&corners), &mut areas);
+        (areas, outcome)
+    });
+}
+
+fn answers<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let scene = Scene::around(Ellipsoid::WGS84, 47.0, 1e5);
+    let origin = Arguments::new().geodetic::<T>();
+    for (view, name) in View::ALL.into_iter().zip(["linear", "quadratic", "full"]) {
+        let Ok(positions) = scene.positions_by::<T>(view) else {
+            continue;
+        };
+        let about = positions.about(origin);
+        let geodetics = |arguments: &mut Arguments| columns(arguments, [T::of(90.0), T::of(180.0), T::of(1e5)]);
+        visitor.visit::<T, _, _>(function("batch::scene::enu", name), geodetics, |places| {
+            into(|enu| batch::scene::enu(&about, lent(&places), enu))
+        });
+    }
+    if let Ok(distances) = scene.distances_by::<T>(Method::Flat) {
+        let method = distances.solver();
+        let pairs = |arguments: &mut Arguments| [places::<T>(arguments), places(arguments)];
+        visitor.visit::<T, _, _>(function("batch::scene::inverse", "flat"), pairs, |[from, to]| {
+            into(|lines| batch::scene::inverse(method, lent(&from), lent(&to), lines))
+        });
+        let starts =
+            |arguments: &mut Arguments| columns(arguments, [T::of(90.0), T::of(180.0), T::of(180.0), T::of(2e4)]);
+        visitor.visit::<T, _, _>(
+            function("batch::scene::direct", "flat"),
+            starts,
+            |[lat, lon, azimuth, distance]| {
+                into(|ends| batch::scene::direct(method, [&lat, &lon], &azimuth, &distance, ends))
+            },
+        );
+    }
+    for (surface, name) in Surface::ALL.into_iter().zip(["plane", "ellipsoid"]) {
+        let Ok(chosen) = scene.areas_by::<T>(surface) else {
+            continue;
+        };
+        let solver = chosen.solver();
+        visitor.visit::<T, _, _>(function("batch::scene::areas", name), corners::<T>, |corners| {
+            let mut areas = [T::ZERO; 5];
+            let outcome = batch::scene::areas(&solver, &OFFSETS, lent(&corners), &mut areas);
+            (areas, outcome)
+        });
+    }
 }
 
 fn latitudes<T: Scalar, V: Visitor>(visitor: &mut V) {
@@ -188,6 +297,10 @@ fn geodesics<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M,
     );
 }
 
+impl Bits for Infallible {
+    fn add_to(&self, _: &mut Hash) {}
+}
+
 impl<E: Bits> Bits for InvalidBatch<E> {
     fn add_to(&self, hash: &mut Hash) {
         match self {
@@ -211,6 +324,15 @@ impl<T: Scalar> Bits for InvalidGeodetic<T> {
         match self {
             Self::LatLon(why) => why.add_to(hash),
             Self::Height(why) => why.add_to(hash),
+        }
+    }
+}
+
+impl<T: Scalar> Bits for InvalidRing<T> {
+    fn add_to(&self, hash: &mut Hash) {
+        match self {
+            Self::Corner { index, why } => (*index, why).add_to(hash),
+            Self::Offsets { start, end } => (*start, *end).add_to(hash),
         }
     }
 }

@@ -8,6 +8,8 @@
 
 mod arguments;
 mod batch;
+#[cfg(feature = "terrain")]
+mod batch_terrain;
 mod bits;
 mod catalogue;
 mod cube;
@@ -162,5 +164,8 @@ pub fn every_in<T: Scalar, V: Visitor>(visitor: &mut V) {
     batch::show::<T, V>(visitor);
     scene::show::<T, V>(visitor);
     #[cfg(feature = "terrain")]
-    terrain::show::<T, V>(visitor);
+    {
+        terrain::show::<T, V>(visitor);
+        batch_terrain::show::<T, V>(visitor);
+    }
 }

@@ -64,14 +64,18 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     /// errors of the edges, those of [`Area`], add up.
     #[must_use]
     pub fn area(&self) -> T {
-        let mut closed = self.closed();
+        self.closed().enclosed()
+    }
+
+    /// The area of a ring that is closed.
+    fn enclosed(mut self) -> T {
         // Round a pole the areas under the edges leave half of the ellipsoid out.
         let whole = self.area.whole();
-        if closed.odd {
-            closed.left.add_double(whole.half());
-            reduce(&mut closed.left, whole);
+        if self.odd {
+            self.left.add_double(whole.half());
+            reduce(&mut self.left, whole);
         }
-        let (left, half) = (closed.left.value(), whole.half().value());
+        let (left, half) = (self.left.value(), whole.half().value());
         // A half but for rounding is a half.
         if left <= -half { half } else { left }
     }
@@ -80,6 +84,12 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     #[must_use]
     pub fn perimeter(&self) -> T {
         self.closed().perimeter.value()
+    }
+
+    /// [`Self::area`] and [`Self::perimeter`]; the ring is closed once.
+    pub(crate) fn area_and_perimeter(&self) -> [T; 2] {
+        let closed = self.closed();
+        [closed.enclosed(), closed.perimeter.value()]
     }
 
     fn closed(&self) -> Self {
