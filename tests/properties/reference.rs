@@ -174,6 +174,10 @@ pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[
         let square = of(7569.0) / of(10_000.0);
         x / (of(1.0) + square - square * x * x).sqrt()
     };
+    let everitt = |x: Double| {
+        let root = (of(121.0) / of(64.0) - of(1.5) * x.abs()).sqrt();
+        of(2.0) * x / (of(11.0) / of(8.0) + root)
+    };
     Some(match projection {
         Projection::Tangential => [x, y, of(1.0)],
         Projection::Adjusted => tangents([x, y], PI / of(4.0)),
@@ -190,6 +194,7 @@ pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[
         Projection::Healpix => healpix([x, y], polar),
         Projection::S2Quadratic => [quadratic(x), quadratic(y), of(1.0)],
         Projection::Algebraic => [algebraic(x), algebraic(y), of(1.0)],
+        Projection::Everitt => [everitt(x), everitt(y), of(1.0)],
         Projection::Vertex => vertex([x, y]),
         Projection::Balanced => balanced([x, y]),
         Projection::Square => square([x, y]),
