@@ -14,6 +14,10 @@
 //! | [`ellipsoid::to_ecef`] | [`Ellipsoid::to_ecef`](crate::Ellipsoid::to_ecef) |
 //! | [`ellipsoid::to_geodetic`] | [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic) |
 //! | [`geodesic::inverse`] | [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse) |
+//! | [`geodesic::inverse_from`], [`geodesic::inverse_to`] | the same, from or to one place |
+//! | [`geodesic::distance`] | [`Geodesic::distance`](crate::geodesic::Geodesic::distance) |
+//! | [`geodesic::distance_from`], [`geodesic::distance_to`] | the same, from or to one place |
+//! | [`geodesic::legs`] | the same, from each place to the next |
 //! | [`geodesic::direct`] | [`Geodesic::direct`](crate::geodesic::Geodesic::direct) |
 //! | [`cube::project`] | [`CubeProjection::project`](crate::cube::CubeProjection::project) |
 //! | [`cube::unproject`] | [`CubeProjection::unproject`](crate::cube::CubeProjection::unproject) |

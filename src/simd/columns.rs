@@ -190,6 +190,77 @@ impl<V: Cell, const N: usize> Sink for [&mut [V]; N] {
     }
 }
 
+/// The same row again and again.
+#[derive(Clone, Copy)]
+pub(crate) struct Same<R> {
+    row: R,
+    length: usize,
+}
+
+impl<R> Same<R> {
+    pub(crate) const fn new(row: R, length: usize) -> Self {
+        Self { row, length }
+    }
+}
+
+impl<V: Copy + Default, const N: usize> Source for Same<[V; N]> {
+    type Row = [V; N];
+    type Spare = [V; N];
+    type Block<'a>
+        = [V; N]
+    where
+        Self: 'a;
+
+    #[inline(always)]
+    fn spare() -> Self::Spare {
+        [V::default(); N]
+    }
+
+    #[inline(always)]
+    fn len(&self) -> usize {
+        self.length
+    }
+
+    fn other_length(&self, length: usize) -> Option<usize> {
+        (self.length != length).then_some(self.length)
+    }
+
+    #[inline(always)]
+    fn at(&self, _: usize) -> Self::Row {
+        self.row
+    }
+
+    #[inline(always)]
+    fn next<'a>(&mut self, _: &'a mut Self::Spare) -> Self::Block<'a>
+    where
+        Self: 'a,
+    {
+        self.length = self.length.saturating_sub(BLOCK);
+        self.row
+    }
+
+    #[inline(always)]
+    fn block<'a>(spare: &'a Self::Spare) -> Self::Block<'a>
+    where
+        Self: 'a,
+    {
+        *spare
+    }
+
+    #[inline(always)]
+    fn row<'a>(block: Self::Block<'a>, _: usize) -> Self::Row
+    where
+        Self: 'a,
+    {
+        block
+    }
+
+    #[inline(always)]
+    fn put(spare: &mut Self::Spare, _: usize, row: Self::Row) {
+        *spare = row;
+    }
+}
+
 impl<A: Source, B: Source> Source for (A, B) {
     type Row = (A::Row, B::Row);
     type Spare = (A::Spare, B::Spare);
