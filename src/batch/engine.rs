@@ -1,10 +1,7 @@
 //! Runs a function over columns: lengths are compared, and what is refused is counted.
 
 use super::InvalidBatch;
-use crate::simd::{Element, Sink, Source, Tally, lanes};
-
-/// With fewer elements the lanes do not pay.
-const FEW: usize = 4;
+use crate::simd::{Element, FEW, Sink, Source, Tally, lanes};
 
 /// Computes all elements: few of them, and all on a machine without vectors, by `one`, else by `in_lanes`.
 ///

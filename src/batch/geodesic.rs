@@ -91,6 +91,12 @@ impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Inverse<'_, M> {
         ([line.distance, line.azimuth1, line.azimuth2], found)
     }
 
+    #[inline(always)]
+    fn second(&self, (from, to): Pair<T>) -> ([T; 3], bool) {
+        let (line, found) = self.0.far_inverse(within(from), within(to));
+        ([line.distance, line.azimuth1, line.azimuth2], found)
+    }
+
     fn one(&self, (from, to): Pair<T>) -> Result<[T; 3], InvalidProblem<T>> {
         let line = self.0.inverse(place(from)?, place(to)?);
         let line = line.map_err(InvalidProblem::Geodesic)?;
@@ -115,6 +121,12 @@ impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Distance<'_, M> {
     #[inline(always)]
     fn fast(&self, pair: Pair<T>) -> ([T; 1], bool) {
         let ([distance, ..], found) = Inverse(self.0).fast(pair);
+        ([distance], found)
+    }
+
+    #[inline(always)]
+    fn second(&self, pair: Pair<T>) -> ([T; 1], bool) {
+        let ([distance, ..], found) = Inverse(self.0).second(pair);
         ([distance], found)
     }
 

@@ -159,6 +159,13 @@ pub trait Geodesic<T: Real> {
         }
     }
 
+    /// As [`fast_inverse`](Self::fast_inverse), for places between which that finds no line, as nearly
+    /// antipodal ones: a batch solves them together. The default finds none.
+    #[inline(always)]
+    fn far_inverse(&self, _from: LatLon<T>, _to: LatLon<T>) -> (Inverse<T>, bool) {
+        (Inverse::nothing(), false)
+    }
+
     /// Solves the direct problem for [`batch::geodesic::direct`](crate::batch::geodesic::direct), as
     /// [`fast_inverse`](Self::fast_inverse) does the inverse one.
     #[inline(always)]

@@ -71,6 +71,9 @@ pub(crate) trait Sink {
     /// Writes row i of a block.
     fn put(block: &mut Self::Block, i: usize, row: Self::Row);
 
+    /// Row i of a block.
+    fn get(block: &Self::Block, i: usize) -> Self::Row;
+
     /// Stores the next block, or as much of it as there is room for, and moves past it.
     fn store(&mut self, block: &Self::Block);
 
@@ -173,6 +176,16 @@ impl<V: Cell, const N: usize> Sink for [&mut [V]; N] {
     #[inline(always)]
     fn put(block: &mut Self::Block, i: usize, row: Self::Row) {
         put(block, i, row);
+    }
+
+    fn get(block: &Self::Block, i: usize) -> Self::Row {
+        let mut columns = block.iter();
+        [(); N].map(|()| {
+            columns
+                .next()
+                .and_then(|column| column.get(i).copied())
+                .unwrap_or(V::nothing())
+        })
     }
 
     #[inline(always)]
@@ -341,6 +354,10 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
     fn put(block: &mut Self::Block, i: usize, row: Self::Row) {
         A::put(&mut block.0, i, row.0);
         B::put(&mut block.1, i, row.1);
+    }
+
+    fn get(block: &Self::Block, i: usize) -> Self::Row {
+        (A::get(&block.0, i), B::get(&block.1, i))
     }
 
     #[inline(always)]
