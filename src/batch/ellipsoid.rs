@@ -29,6 +29,7 @@ impl<T: fmt::Debug> fmt::Display for InvalidGeodetic<T> {
 impl<T: fmt::Debug> core::error::Error for InvalidGeodetic<T> {}
 
 /// Latitudes, longitudes and heights.
+#[derive(Clone, Copy)]
 struct Geodetics;
 
 impl<T: Real> Door<[T; 3]> for Geodetics {
@@ -51,6 +52,7 @@ impl<T: Real> Door<[T; 3]> for Geodetics {
     }
 }
 
+#[derive(Clone, Copy)]
 struct ToEcef<T>(Ellipsoid<T>);
 
 impl<T: Real> Kernel<[T; 3]> for ToEcef<T> {

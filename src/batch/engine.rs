@@ -33,7 +33,7 @@ pub(super) fn solve_by<S: Source, D: Sink, E>(
 }
 
 /// [`solve_by`] an element's own functions.
-pub(super) fn solve<S: Source, D: Sink, K: Element<S::Row, Output = D::Row> + Copy>(
+pub(super) fn solve<S: Source, D: Sink, K: Element<S::Row, Output = D::Row>>(
     element: K,
     source: S,
     sink: D,

@@ -20,7 +20,7 @@ pub(crate) const FEW: usize = 4;
 ///
 /// [`keeps`](Self::keeps) and [`mend`](Self::mend) must be `#[inline(always)]`, straight-line code, and hold
 /// for any numbers.
-pub(crate) trait Door<Input> {
+pub(crate) trait Door<Input>: Copy {
     /// Why an element is refused.
     type Error;
 
@@ -40,7 +40,7 @@ pub(crate) trait Door<Input> {
 
 /// A function of one element that cannot be refused. [`apply`](Self::apply) is straight-line code and
 /// `#[inline(always)]`.
-pub(crate) trait Kernel<Input> {
+pub(crate) trait Kernel<Input>: Copy {
     /// The results.
     type Output;
 
@@ -52,7 +52,7 @@ pub(crate) trait Kernel<Input> {
 /// itself, one by one.
 ///
 /// All but [`one`](Self::one) must be `#[inline(always)]`, straight-line code, and hold for any numbers.
-pub(crate) trait Element<Input> {
+pub(crate) trait Element<Input>: Copy {
     /// The results.
     type Output;
     /// Why an element is refused.
@@ -150,6 +150,7 @@ where
 }
 
 /// No door: all numbers are kept.
+#[derive(Clone, Copy)]
 struct Open;
 
 impl<I> Door<I> for Open {
@@ -167,6 +168,7 @@ impl<I> Door<I> for Open {
 }
 
 /// A kernel behind a door.
+#[derive(Clone, Copy)]
 pub(crate) struct Behind<D, K>(pub(crate) D, pub(crate) K);
 
 impl<I, D: Door<I>, K: Kernel<I>> Element<I> for Behind<D, K> {
@@ -286,8 +288,8 @@ fn complete<'a, K, S, D>(
     }
     if count >= FEW {
         let (second, well) = dispatch(Second::<K, S, D> {
-            kernel,
-            spare: &spare,
+            kernel: *kernel,
+            spare,
             count,
             sink: PhantomData,
         });
@@ -308,14 +310,15 @@ fn complete<'a, K, S, D>(
 }
 
 /// [`Element::second`] for the first rows of a spare.
-struct Second<'a, K, S: Source, D> {
-    kernel: &'a K,
-    spare: &'a S::Spare,
+struct Second<K, S: Source, D> {
+    /// By value: what a pointer in it points to is then known not to change in the loop.
+    kernel: K,
+    spare: S::Spare,
     count: usize,
     sink: PhantomData<D>,
 }
 
-impl<K, S, D> Pass for Second<'_, K, S, D>
+impl<K, S, D> Pass for Second<K, S, D>
 where
     S: Source,
     D: Sink,
@@ -325,10 +328,10 @@ where
 
     #[inline(always)]
     fn run(self) -> Self::Output {
-        let (mut results, mut found) = (D::block(), [false; BLOCK]);
+        let (mut results, mut found, spare) = (D::block(), [false; BLOCK], self.spare);
         let count = self.count.div_ceil(LANES).min(BLOCK / LANES) * LANES;
         for i in 0..count {
-            let (row, fast) = self.kernel.second(S::row(S::block(self.spare), i));
+            let (row, fast) = self.kernel.second(S::row(S::block(&spare), i));
             D::put(&mut results, i, row);
             if let Some(slot) = found.get_mut(i) {
                 *slot = fast;
