@@ -174,10 +174,10 @@ pub fn project<T: Real, P: CubeProjection, F: FaceNumber>(
 ///
 /// ```
 /// use terrella::batch::cube;
-/// use terrella::cube::{Face, Outerra};
+/// use terrella::cube::Tangential;
 /// let (mut x, mut y, mut z) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-/// cube::unproject(Outerra, &[Face::Back, Face::Top], [&[0.0, 0.0], &[0.0, 1.0]], [&mut x, &mut y, &mut z])?;
-/// assert_eq!((x[0], y[0], z[0]), (-1.0, 0.0, 0.0));
+/// cube::unproject(Tangential, &[0_u8, 2], [&[0.0, 0.0], &[0.0, 1.0]], [&mut x, &mut y, &mut z])?;
+/// assert_eq!((x[0], y[0], z[0]), (1.0, 0.0, 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn unproject<T: Real, P: CubeProjection, F: FaceNumber>(
