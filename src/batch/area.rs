@@ -154,6 +154,7 @@ pub(super) fn polygon_areas<T: Real, O: Copy + TryInto<usize>>(
 const FEW: usize = 16;
 
 /// From latitudes and longitudes to east and north in the plane at a ring's first corner.
+#[derive(Clone, Copy)]
 struct ToPlane<T> {
     first: LatLon<T>,
     tangent: Tangent<T>,

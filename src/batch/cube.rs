@@ -36,6 +36,7 @@ impl<T: fmt::Debug> core::error::Error for InvalidPoint<T> {}
 pub(super) type Point<T> = ([T; 2], T);
 
 /// Coordinates on a face, and its number.
+#[derive(Clone, Copy)]
 pub(super) struct Points;
 
 impl<T: Real> Door<Point<T>> for Points {
@@ -62,6 +63,7 @@ pub(super) fn numbered<T: Real>(point: FacePoint<T>) -> (T, [T; 2]) {
     (T::from_byte(point.face().index()), [point.x(), point.y()])
 }
 
+#[derive(Clone, Copy)]
 struct Project<P>(P);
 
 impl<T: Real, P: CubeProjection> Kernel<[T; 3]> for Project<P> {
@@ -76,6 +78,7 @@ impl<T: Real, P: CubeProjection> Kernel<[T; 3]> for Project<P> {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Unproject<P>(P);
 
 impl<T: Real, P: CubeProjection> Kernel<Point<T>> for Unproject<P> {
@@ -171,10 +174,10 @@ pub fn project<T: Real, P: CubeProjection, F: FaceNumber>(
 ///
 /// ```
 /// use terrella::batch::cube;
-/// use terrella::cube::{Face, Outerra};
+/// use terrella::cube::Tangential;
 /// let (mut x, mut y, mut z) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-/// cube::unproject(Outerra, &[Face::Back, Face::Top], [&[0.0, 0.0], &[0.0, 1.0]], [&mut x, &mut y, &mut z])?;
-/// assert_eq!((x[0], y[0], z[0]), (-1.0, 0.0, 0.0));
+/// cube::unproject(Tangential, &[0_u8, 2], [&[0.0, 0.0], &[0.0, 1.0]], [&mut x, &mut y, &mut z])?;
+/// assert_eq!((x[0], y[0], z[0]), (1.0, 0.0, 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn unproject<T: Real, P: CubeProjection, F: FaceNumber>(

@@ -29,6 +29,7 @@ impl<T: fmt::Debug> fmt::Display for InvalidGeodetic<T> {
 impl<T: fmt::Debug> core::error::Error for InvalidGeodetic<T> {}
 
 /// Latitudes, longitudes and heights.
+#[derive(Clone, Copy)]
 pub(super) struct Geodetics;
 
 impl<T: Real> Door<[T; 3]> for Geodetics {
@@ -52,6 +53,7 @@ impl<T: Real> Door<[T; 3]> for Geodetics {
 }
 
 /// Points in Earth axes.
+#[derive(Clone, Copy)]
 pub(super) struct Points;
 
 impl<T: Real> Door<[T; 3]> for Points {
@@ -67,6 +69,7 @@ impl<T: Real> Door<[T; 3]> for Points {
     }
 }
 
+#[derive(Clone, Copy)]
 struct ToEcef<T>(Ellipsoid<T>);
 
 impl<T: Real> Kernel<[T; 3]> for ToEcef<T> {

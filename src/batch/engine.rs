@@ -1,10 +1,7 @@
 //! Runs a function over columns: lengths are compared, and what is refused is counted.
 
 use super::InvalidBatch;
-use crate::simd::{Element, Sink, Source, Tally, lanes};
-
-/// With fewer elements the lanes do not pay.
-const FEW: usize = 4;
+use crate::simd::{Element, FEW, Sink, Source, Tally, lanes};
 
 /// Computes all elements: few of them, and all on a machine without vectors, by `one`, else by `in_lanes`.
 ///
@@ -54,7 +51,7 @@ pub(super) fn refuse_all<S: Source, D: Sink, E>(source: S, mut sink: D, why: E) 
 }
 
 /// [`solve_by`] an element's own functions.
-pub(super) fn solve<S: Source, D: Sink, K: Element<S::Row, Output = D::Row> + Copy>(
+pub(super) fn solve<S: Source, D: Sink, K: Element<S::Row, Output = D::Row>>(
     element: K,
     source: S,
     sink: D,

@@ -170,6 +170,10 @@ impl<F: FaceNumber, T: Real> Sink for Faces<&mut [F], T> {
         }
     }
 
+    fn get(block: &Self::Block, i: usize) -> T {
+        block.get(i).copied().unwrap_or_default()
+    }
+
     #[inline(always)]
     fn store(&mut self, block: &Self::Block) {
         store(&mut self.0, &block.map(F::of));

@@ -47,6 +47,7 @@ fn enu<T: Real, A: Axes<T>>(row: [T; 3]) -> Enu<T> {
 }
 
 /// From Earth axes to those of a frame.
+#[derive(Clone, Copy)]
 struct PointSeen<'a, T, A>(&'a LocalFrame<T>, PhantomData<A>);
 
 impl<T: Real, A: Axes<T>> Kernel<[T; 3]> for PointSeen<'_, T, A> {
@@ -59,6 +60,7 @@ impl<T: Real, A: Axes<T>> Kernel<[T; 3]> for PointSeen<'_, T, A> {
 }
 
 /// From latitude, longitude and height to the axes of a frame.
+#[derive(Clone, Copy)]
 struct PlaceSeen<'a, T, A>(&'a LocalFrame<T>, PhantomData<A>);
 
 impl<T: Real, A: Axes<T>> Kernel<[T; 3]> for PlaceSeen<'_, T, A> {
@@ -164,6 +166,7 @@ impl<T: Real> Element<[T; 3]> for ToOffset<'_, T> {
 }
 
 /// From an offset in latitude, longitude and height to east, north and up.
+#[derive(Clone, Copy)]
 struct OffsetSeen<'a, T>(&'a LocalFrame<T>);
 
 impl<T: Real> Kernel<[T; 3]> for OffsetSeen<'_, T> {
@@ -176,6 +179,7 @@ impl<T: Real> Kernel<[T; 3]> for OffsetSeen<'_, T> {
 }
 
 /// Vectors from Earth axes to those of a frame.
+#[derive(Clone, Copy)]
 struct VectorSeen<'a, T>(&'a LocalFrame<T>);
 
 impl<T: Real> Kernel<[T; 3]> for VectorSeen<'_, T> {
@@ -188,6 +192,7 @@ impl<T: Real> Kernel<[T; 3]> for VectorSeen<'_, T> {
 }
 
 /// Vectors from the axes of a frame to Earth axes.
+#[derive(Clone, Copy)]
 struct ToVector<'a, T>(&'a LocalFrame<T>);
 
 impl<T: Real> Kernel<[T; 3]> for ToVector<'_, T> {

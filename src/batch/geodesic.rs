@@ -5,8 +5,8 @@ use core::fmt;
 use super::InvalidBatch;
 use super::engine::solve;
 use super::position::Places;
-use crate::geodesic::{Geodesic, GeodesicError};
-use crate::simd::{Door, Element};
+use crate::geodesic::{Geodesic, GeodesicError, GeodesicTask};
+use crate::simd::{Door, Element, Same, Sink, Source};
 use crate::{InvalidLatLon, LatLon, Real};
 
 /// Why an element of a geodesic problem was refused.
@@ -30,58 +30,109 @@ impl<T: fmt::Debug + fmt::Display> fmt::Display for InvalidProblem<T> {
 
 impl<T: fmt::Debug + fmt::Display> core::error::Error for InvalidProblem<T> {}
 
-/// From latitude, longitude, latitude, longitude to distance and azimuths.
+/// Two places in degrees.
+type Pair<T> = ([T; 2], [T; 2]);
+
+/// From two places to distance and azimuths.
 struct Inverse<'a, M>(&'a M);
+
+/// From two places to their distance. What computes the azimuths is left out by the compiler.
+struct Distance<'a, M>(&'a M);
 
 /// From latitude, longitude, azimuth, distance to latitude, longitude, azimuth.
 struct Direct<'a, M>(&'a M);
 
-impl<M> Clone for Inverse<'_, M> {
-    fn clone(&self) -> Self {
-        *self
-    }
+macro_rules! copy {
+    ($($name:ident)*) => {$(
+        impl<M> Clone for $name<'_, M> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<M> Copy for $name<'_, M> {}
+    )*};
 }
+copy!(Inverse Distance Direct);
 
-impl<M> Copy for Inverse<'_, M> {}
-
-impl<M> Clone for Direct<'_, M> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<M> Copy for Direct<'_, M> {}
-
-fn place<T: Real>(lat: T, lon: T) -> Result<LatLon<T>, InvalidProblem<T>> {
+fn place<T: Real>([lat, lon]: [T; 2]) -> Result<LatLon<T>, InvalidProblem<T>> {
     LatLon::new(lat, lon).map_err(InvalidProblem::LatLon)
 }
 
-impl<T: Real, M: Geodesic<T>> Element<[T; 4]> for Inverse<'_, M> {
+impl<T: Real> Same<[T; 2]> {
+    /// A place, as often as there are others.
+    fn of(place: LatLon<T>, others: [&[T]; 2]) -> Self {
+        Self::new([place.lat(), place.lon()], Source::len(&others))
+    }
+}
+
+#[inline(always)]
+fn within<T: Real>([lat, lon]: [T; 2]) -> LatLon<T> {
+    LatLon::within(lat, lon)
+}
+
+impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Inverse<'_, M> {
     type Output = [T; 3];
     type Error = InvalidProblem<T>;
 
     #[inline(always)]
-    fn keeps(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> bool {
-        Places.keeps([lat1, lon1]) & Places.keeps([lat2, lon2])
+    fn keeps(&self, (from, to): Pair<T>) -> bool {
+        Places.keeps(from) & Places.keeps(to)
     }
 
     #[inline(always)]
-    fn mend(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> [T; 4] {
-        [lat1, LatLon::turned(lon1), lat2, LatLon::turned(lon2)]
+    fn mend(&self, (from, to): Pair<T>) -> Pair<T> {
+        (Places.mend(from), Places.mend(to))
     }
 
     #[inline(always)]
-    fn fast(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> ([T; 3], bool) {
-        let (line, found) = self
-            .0
-            .fast_inverse(LatLon::within(lat1, lon1), LatLon::within(lat2, lon2));
+    fn fast(&self, (from, to): Pair<T>) -> ([T; 3], bool) {
+        let (line, found) = self.0.fast_inverse(within(from), within(to));
         ([line.distance, line.azimuth1, line.azimuth2], found)
     }
 
-    fn one(&self, [lat1, lon1, lat2, lon2]: [T; 4]) -> Result<[T; 3], InvalidProblem<T>> {
-        let (from, to) = (place(lat1, lon1)?, place(lat2, lon2)?);
-        let line = self.0.inverse(from, to).map_err(InvalidProblem::Geodesic)?;
+    #[inline(always)]
+    fn second(&self, (from, to): Pair<T>) -> ([T; 3], bool) {
+        let (line, found) = self.0.far_inverse(within(from), within(to));
+        ([line.distance, line.azimuth1, line.azimuth2], found)
+    }
+
+    fn one(&self, (from, to): Pair<T>) -> Result<[T; 3], InvalidProblem<T>> {
+        let line = self.0.inverse(place(from)?, place(to)?);
+        let line = line.map_err(InvalidProblem::Geodesic)?;
         Ok([line.distance, line.azimuth1, line.azimuth2])
+    }
+}
+
+impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Distance<'_, M> {
+    type Output = [T; 1];
+    type Error = InvalidProblem<T>;
+
+    #[inline(always)]
+    fn keeps(&self, pair: Pair<T>) -> bool {
+        Inverse(self.0).keeps(pair)
+    }
+
+    #[inline(always)]
+    fn mend(&self, pair: Pair<T>) -> Pair<T> {
+        Inverse(self.0).mend(pair)
+    }
+
+    #[inline(always)]
+    fn fast(&self, pair: Pair<T>) -> ([T; 1], bool) {
+        let ([distance, ..], found) = Inverse(self.0).fast(pair);
+        ([distance], found)
+    }
+
+    #[inline(always)]
+    fn second(&self, pair: Pair<T>) -> ([T; 1], bool) {
+        let ([distance, ..], found) = Inverse(self.0).second(pair);
+        ([distance], found)
+    }
+
+    fn one(&self, (from, to): Pair<T>) -> Result<[T; 1], InvalidProblem<T>> {
+        let distance = self.0.distance(place(from)?, place(to)?);
+        distance.map(|distance| [distance]).map_err(InvalidProblem::Geodesic)
     }
 }
 
@@ -106,23 +157,54 @@ impl<T: Real, M: Geodesic<T>> Element<[T; 4]> for Direct<'_, M> {
     }
 
     fn one(&self, [lat, lon, azimuth, distance]: [T; 4]) -> Result<[T; 3], InvalidProblem<T>> {
-        let end = self.0.direct(place(lat, lon)?, azimuth, distance);
+        let end = self.0.direct(place([lat, lon])?, azimuth, distance);
         let end = end.map_err(InvalidProblem::Geodesic)?;
         Ok([end.position.lat(), end.position.lon(), end.azimuth])
+    }
+}
+
+/// Inverse problems for a known method.
+struct Inverses<S, D>(S, D);
+
+impl<T: Real, S: Source<Row = Pair<T>>, D: Sink<Row = [T; 3]>> GeodesicTask<T> for Inverses<S, D> {
+    type Output = Result<(), InvalidBatch<InvalidProblem<T>>>;
+
+    fn run<M: Geodesic<T>>(self, method: &M) -> Self::Output {
+        solve(Inverse(method), self.0, self.1)
+    }
+}
+
+/// Distances by a known method.
+struct Distances<S, D>(S, D);
+
+impl<T: Real, S: Source<Row = Pair<T>>, D: Sink<Row = [T; 1]>> GeodesicTask<T> for Distances<S, D> {
+    type Output = Result<(), InvalidBatch<InvalidProblem<T>>>;
+
+    fn run<M: Geodesic<T>>(self, method: &M) -> Self::Output {
+        solve(Distance(method), self.0, self.1)
+    }
+}
+
+/// Direct problems for a known method.
+struct Directs<'a, T>([&'a [T]; 4], [&'a mut [T]; 3]);
+
+impl<T: Real> GeodesicTask<T> for Directs<'_, T> {
+    type Output = Result<(), InvalidBatch<InvalidProblem<T>>>;
+
+    fn run<M: Geodesic<T>>(self, method: &M) -> Self::Output {
+        solve(Direct(method), self.0, self.1)
     }
 }
 
 /// Solves the inverse problem for pairs of places: latitudes and longitudes in degrees to distances in metres
 /// and azimuths at both places in degrees, with the bits of [`Geodesic::inverse`].
 ///
-/// The fastest methods in a batch are those that override [`Geodesic::fast_inverse`] or are without branches:
-/// [`Karney`](crate::geodesic::Karney), [`Vincenty`](crate::geodesic::Vincenty) and the closed formulas.
+/// All methods of this crate go through lanes, and your own does if it overrides [`Geodesic::fast_inverse`].
 /// Pairs without a fast answer, most of them nearly antipodal, are solved one by one.
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths (nothing is written), if [`LatLon::new`] refuses a place, or
-/// if the method has no answer for a pair, as [`Vincenty`](crate::geodesic::Vincenty) near the antipode (the
-/// results of such pairs are NaN, all others are written).
+/// [`InvalidBatch`] if slices have unequal lengths, if [`LatLon::new`] refuses a place, or if the method has no
+/// answer for a pair, as [`Vincenty`](crate::geodesic::Vincenty) near the antipode.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::geodesic, geodesic::Karney};
@@ -140,8 +222,149 @@ pub fn inverse<T: Real, M: Geodesic<T>>(
     to: [&[T]; 2],
     lines: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
-    let ([lat1, lon1], [lat2, lon2]) = (from, to);
-    solve(Inverse(method), [lat1, lon1, lat2, lon2], lines)
+    method.with(Inverses((from, to), lines))
+}
+
+/// Solves the inverse problem from one place to many: as [`inverse`] does, without a copy of the place for
+/// each.
+///
+/// # Errors
+/// Those of [`inverse`].
+///
+/// ```
+/// use terrella::{LatLon, batch::geodesic, geodesic::GreatCircle};
+/// let sphere = GreatCircle::new(6_371_000.0)?;
+/// let oslo = LatLon::new(59.91, 10.75)?;
+/// let (mut distance, mut there, mut back) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+/// geodesic::inverse_from(&sphere, oslo, [&[90.0, 59.91], &[10.75, 10.75]], [&mut distance, &mut there, &mut back])?;
+/// assert_eq!((there[0], distance[1]), (0.0, 0.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn inverse_from<T: Real, M: Geodesic<T>>(
+    method: &M,
+    from: LatLon<T>,
+    to: [&[T]; 2],
+    lines: [&mut [T]; 3],
+) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
+    method.with(Inverses((Same::of(from, to), to), lines))
+}
+
+/// Solves the inverse problem from many places to one: as [`inverse`] does, without a copy of the place for
+/// each.
+///
+/// # Errors
+/// Those of [`inverse`].
+///
+/// ```
+/// use terrella::{LatLon, batch::geodesic, geodesic::GreatCircle};
+/// let sphere = GreatCircle::new(6_371_000.0)?;
+/// let pole = LatLon::new(90.0, 0.0)?;
+/// let (mut distance, mut there, mut back) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+/// geodesic::inverse_to(&sphere, [&[0.0, 45.0], &[0.0, 90.0]], pole, [&mut distance, &mut there, &mut back])?;
+/// assert_eq!((distance[0], there), (2.0 * distance[1], [0.0, 0.0]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn inverse_to<T: Real, M: Geodesic<T>>(
+    method: &M,
+    from: [&[T]; 2],
+    to: LatLon<T>,
+    lines: [&mut [T]; 3],
+) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
+    method.with(Inverses((from, Same::of(to, from)), lines))
+}
+
+/// Computes the distances in metres between pairs of places in degrees, with the bits of
+/// [`Geodesic::distance`], and no azimuths.
+///
+/// # Errors
+/// Those of [`inverse`].
+///
+/// ```
+/// use terrella::{batch::geodesic, geodesic::GreatCircle};
+/// let sphere = GreatCircle::new(6_371_000.0)?;
+/// let mut distance = [0.0_f64; 2];
+/// let (from, to): ([&[f64]; 2], [&[f64]; 2]) = ([&[0.0, 90.0], &[0.0, 0.0]], [&[0.0, -90.0], &[90.0, 0.0]]);
+/// geodesic::distance(&sphere, from, to, &mut distance)?;
+/// assert_eq!(distance.map(f64::round), [10_007_543.0, 20_015_087.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[doc(alias = "haversine")]
+pub fn distance<T: Real, M: Geodesic<T>>(
+    method: &M,
+    from: [&[T]; 2],
+    to: [&[T]; 2],
+    distances: &mut [T],
+) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
+    method.with(Distances((from, to), [distances]))
+}
+
+/// Computes the distances in metres from one place to many, as [`distance`] does.
+///
+/// # Errors
+/// Those of [`inverse`].
+///
+/// ```
+/// use terrella::{LatLon, batch::geodesic, geodesic::GreatCircle};
+/// let (sphere, pole) = (GreatCircle::new(1.0)?, LatLon::new(90.0, 0.0)?);
+/// let mut distance = [0.0_f64; 2];
+/// geodesic::distance_from(&sphere, pole, [&[0.0, -90.0], &[10.0, 20.0]], &mut distance)?;
+/// assert_eq!(distance, [core::f64::consts::FRAC_PI_2, core::f64::consts::PI]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn distance_from<T: Real, M: Geodesic<T>>(
+    method: &M,
+    from: LatLon<T>,
+    to: [&[T]; 2],
+    distances: &mut [T],
+) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
+    method.with(Distances((Same::of(from, to), to), [distances]))
+}
+
+/// Computes the distances in metres from many places to one, as [`distance`] does.
+///
+/// # Errors
+/// Those of [`inverse`].
+///
+/// ```
+/// use terrella::{LatLon, batch::geodesic, geodesic::GreatCircle};
+/// let (sphere, pole) = (GreatCircle::new(1.0)?, LatLon::new(90.0, 0.0)?);
+/// let mut distance = [0.0_f64];
+/// geodesic::distance_to(&sphere, [&[0.0], &[10.0]], pole, &mut distance)?;
+/// assert_eq!(distance, [core::f64::consts::FRAC_PI_2]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn distance_to<T: Real, M: Geodesic<T>>(
+    method: &M,
+    from: [&[T]; 2],
+    to: LatLon<T>,
+    distances: &mut [T],
+) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
+    method.with(Distances((from, Same::of(to, from)), [distances]))
+}
+
+/// Computes the lengths in metres of the legs of a path: the distance from each place to the next, as
+/// [`distance`] does. There is one leg less than places.
+///
+/// # Errors
+/// Those of [`inverse`]; an element is a leg. A place that is refused spoils two legs.
+///
+/// ```
+/// use terrella::{batch::geodesic, geodesic::GreatCircle};
+/// let sphere = GreatCircle::new(1.0)?;
+/// let mut legs = [0.0_f64; 2];
+/// geodesic::legs(&sphere, [&[0.0, 90.0, 0.0], &[0.0, 0.0, 90.0]], &mut legs)?;
+/// assert_eq!(legs, [core::f64::consts::FRAC_PI_2; 2]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[doc(alias = "path length")]
+pub fn legs<T: Real, M: Geodesic<T>>(
+    method: &M,
+    places: [&[T]; 2],
+    distances: &mut [T],
+) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
+    let from = places.map(|column| column.split_last().map_or(column, |(_, rest)| rest));
+    let to = places.map(|column| column.split_first().map_or(column, |(_, rest)| rest));
+    method.with(Distances((from, to), [distances]))
 }
 
 /// Solves the direct problem for places: latitudes, longitudes and azimuths in degrees and distances in
@@ -167,5 +390,5 @@ pub fn direct<T: Real, M: Geodesic<T>>(
     ends: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
     let [lat, lon] = from;
-    solve(Direct(method), [lat, lon, azimuth, distance], ends)
+    method.with(Directs([lat, lon, azimuth, distance], ends))
 }

@@ -98,6 +98,7 @@ impl<T: Real> Door<[T; 1]> for Latitudes<T> {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Same;
 
 impl<T: Real> Kernel<[T; 1]> for Same {
@@ -109,6 +110,7 @@ impl<T: Real> Kernel<[T; 1]> for Same {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Conformal<A>(PhantomData<A>);
 
 impl<T: Real, A: Angle> Kernel<[T; 1]> for Conformal<A> {
@@ -120,6 +122,7 @@ impl<T: Real, A: Angle> Kernel<[T; 1]> for Conformal<A> {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Corrected<C, A>(C, PhantomData<A>);
 
 impl<T: Real, C: Turn<T>, A: Angle> Kernel<[T; 1]> for Corrected<C, A> {
@@ -131,6 +134,7 @@ impl<T: Real, C: Turn<T>, A: Angle> Kernel<[T; 1]> for Corrected<C, A> {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Isometric<C, A>(C, PhantomData<A>);
 
 impl<T: Real, C: Turn<T>, A: Angle> Kernel<[T; 1]> for Isometric<C, A> {

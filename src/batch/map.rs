@@ -94,6 +94,7 @@ impl<T: Real, F: FaceNumber> ProjectionTask for ProjectAll<'_, '_, T, F> {
     }
 }
 
+#[derive(Clone, Copy)]
 struct ProjectPlace<C, P>(C, P);
 
 impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<[T; 2]> for ProjectPlace<C, P> {
@@ -106,6 +107,7 @@ impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<[T; 2]> for ProjectPlace<C, 
     }
 }
 
+#[derive(Clone, Copy)]
 struct UnprojectPlace<C, P>(C, P);
 
 impl<T: Real, C: Turn<T>, P: CubeProjection> Kernel<Point<T>> for UnprojectPlace<C, P> {

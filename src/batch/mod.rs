@@ -30,6 +30,10 @@
 //! | [`frame::vector_to_enu`] | [`LocalFrame::vector_to_enu`](crate::LocalFrame::vector_to_enu) |
 //! | [`frame::vector_from_enu`] | [`LocalFrame::vector_from_enu`](crate::LocalFrame::vector_from_enu) |
 //! | [`geodesic::inverse`] | [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse) |
+//! | [`geodesic::inverse_from`], [`geodesic::inverse_to`] | the same, from or to one place |
+//! | [`geodesic::distance`] | [`Geodesic::distance`](crate::geodesic::Geodesic::distance) |
+//! | [`geodesic::distance_from`], [`geodesic::distance_to`] | the same, from or to one place |
+//! | [`geodesic::legs`] | the same, from each place to the next |
 //! | [`geodesic::direct`] | [`Geodesic::direct`](crate::geodesic::Geodesic::direct) |
 //! | [`cube::project`] | [`CubeProjection::project`](crate::cube::CubeProjection::project) |
 //! | [`cube::unproject`] | [`CubeProjection::unproject`](crate::cube::CubeProjection::unproject) |

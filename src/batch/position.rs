@@ -8,6 +8,7 @@ use crate::simd::{Behind, Door, Kernel, Tally, lanes};
 use crate::{Direction, InvalidDirection, InvalidLatLon, LatLon, Real};
 
 /// Latitudes and longitudes in degrees.
+#[derive(Clone, Copy)]
 pub(super) struct Places;
 
 impl<T: Real> Door<[T; 2]> for Places {
@@ -29,6 +30,7 @@ impl<T: Real> Door<[T; 2]> for Places {
 }
 
 /// Vectors, of unit length or not.
+#[derive(Clone, Copy)]
 pub(super) struct Vectors {
     /// Whether they come from a batch: directions, or NaN where it refused.
     pub(super) known: bool,
@@ -56,6 +58,7 @@ impl<T: Real> Door<[T; 3]> for Vectors {
     }
 }
 
+#[derive(Clone, Copy)]
 pub(super) struct ToDirection<C>(C);
 
 impl<T: Real, C: Turn<T>> Kernel<[T; 2]> for ToDirection<C> {
@@ -67,6 +70,7 @@ impl<T: Real, C: Turn<T>> Kernel<[T; 2]> for ToDirection<C> {
     }
 }
 
+#[derive(Clone, Copy)]
 pub(super) struct ToLatLon<C>(C);
 
 impl<T: Real, C: Turn<T>> Kernel<[T; 3]> for ToLatLon<C> {

@@ -230,6 +230,7 @@ impl<T: Real> ProjectionTask for Rows<'_, T> {
 const PART: usize = 2 * BLOCK;
 
 /// The kernel from a point of a face to the components of its direction, each followed by its derivatives.
+#[derive(Clone, Copy)]
 struct ToDirection<P> {
     projection: P,
     face: Face,
@@ -247,6 +248,7 @@ impl<T: Real, P: CubeProjection> Kernel<[T; 2]> for ToDirection<P> {
 }
 
 /// The kernel from those to the four measures of a survey.
+#[derive(Clone, Copy)]
 struct ToTexel<T, C> {
     ellipsoid: Ellipsoid<Dual<T, 2>>,
     turn: C,

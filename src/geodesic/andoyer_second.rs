@@ -1,9 +1,9 @@
-use super::andoyer::arc::{Departure, Ends, arc, waves};
-use super::angle::{heading, northward_between_poles};
+use super::andoyer::arc::{Departure, Ends, arc, is_less_than_a_turn, waves};
+use super::angle::{between_poles, heading, northward_between_poles, turns_once};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::{max, min, sin_cos};
+use crate::math::{max, min, repeat, sin_cos, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
 profile! {
@@ -96,10 +96,10 @@ impl<T: Real> AndoyerSecond<T> {
     }
 }
 
-impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
-    /// Never fails.
-    #[inline]
-    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+impl<T: Real> AndoyerSecond<T> {
+    /// The line, but from pole to pole.
+    #[inline(always)]
+    fn line(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
         let ends = Ends::new(self.axes, from, to);
         let first = ends.arc(ends.lambda12);
         let series = self.series(first.cos2_alpha0);
@@ -114,12 +114,37 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
         ));
         let series = self.series(arc.cos2_alpha0);
         let (azimuth1, azimuth2) = arc.azimuths();
-        let line = Inverse {
+        Inverse {
             distance: self.a * (self.axes * series.a1 * (arc.sigma12 + arc.waves(&series.c1, 2))),
             azimuth1,
             azimuth2,
-        };
-        Ok(northward_between_poles(from, to, line))
+        }
+    }
+
+    /// The end of a line of `many` turns or less than one; and the arc in radians, and by what it is divided.
+    #[inline(always)]
+    fn end(&self, from: LatLon<T>, heading: (T, T), distance: T, many: bool) -> (Direct<T>, T, T) {
+        let start = Departure::new(self.axes, from, heading);
+        let series = self.series(start.cos2_alpha0());
+        let radius = self.a * (self.axes * series.a1);
+        let (tau, whole) = arc(distance, radius, many);
+        let mut sigma = tau;
+        repeat!(2, {
+            let turn = sin_cos(sigma);
+            sigma = tau - waves(&series.c1, 2, turn, start.cos_2sigma_m(turn));
+        });
+        let turn = sin_cos(sigma);
+        let lag = waves(&series.c3, 1, turn, start.cos_2sigma_m(turn));
+        let shift = self.f * start.sin_alpha0() * series.a3 * ((sigma + (whole - tau)) + lag);
+        (start.end(turn, shift, many), whole, radius)
+    }
+}
+
+impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
+    /// Never fails.
+    #[inline]
+    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+        Ok(northward_between_poles(from, to, self.line(from, to)))
     }
 
     /// # Errors
@@ -128,18 +153,23 @@ impl<T: Real> Geodesic<T> for AndoyerSecond<T> {
     /// all numbers.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let start = Departure::new(self.axes, from, heading(azimuth, distance)?);
-        let series = self.series(start.cos2_alpha0());
-        let radius = self.a * (self.axes * series.a1);
-        let (tau, whole) = arc(distance, radius)?;
-        let mut sigma = tau;
-        for _ in 0..2 {
-            let turn = sin_cos(sigma);
-            sigma = tau - waves(&series.c1, 2, turn, start.cos_2sigma_m(turn));
+        let (end, whole, radius) = self.end(from, heading(azimuth, distance)?, distance, true);
+        if !whole.is_finite() {
+            return Err(GeodesicError::quotient(distance, radius));
         }
-        let turn = sin_cos(sigma);
-        let lag = waves(&series.c3, 1, turn, start.cos_2sigma_m(turn));
-        let shift = self.f * start.sin_alpha0() * series.a3 * ((sigma + (whole - tau)) + lag);
-        Ok(start.end(turn, shift))
+        Ok(end)
+    }
+
+    /// Not found between poles.
+    #[inline(always)]
+    fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        (self.line(from, to), !between_poles(from, to))
+    }
+
+    /// Not found after a turn or more.
+    #[inline(always)]
+    fn fast_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        let (end, whole, _) = self.end(from, sin_cos_degrees(azimuth), distance, false);
+        (end, turns_once(azimuth) & is_less_than_a_turn(whole))
     }
 }

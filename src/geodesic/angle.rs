@@ -128,6 +128,12 @@ pub fn wrapped<T: Real>(angle: T) -> T {
     angle - select(angle > half_circle, circle, T::ZERO) + select(angle < -half_circle, circle, T::ZERO)
 }
 
+/// Whether an azimuth in degrees is what it is without its whole turns.
+#[inline(always)]
+pub fn turns_once<T: Real>(azimuth: T) -> bool {
+    azimuth.abs() <= T::of(360.0)
+}
+
 /// Sine and cosine of an azimuth in degrees, if it and the distance that belongs to it are finite.
 #[cfg_attr(not(small), inline(always))]
 pub fn heading<T: Real>(azimuth: T, distance: T) -> Result<(T, T), GeodesicError<T>> {
@@ -153,12 +159,18 @@ pub fn off_pole<T: Real>(cos: T) -> T {
     max(cos, T::pick(1.491_668_146_240_041_3e-154, 8.673_617_4e-19))
 }
 
+/// Whether both places are poles.
+#[inline(always)]
+pub fn between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>) -> bool {
+    let right = T::of(90.0);
+    (from.lat().abs() == right) & (to.lat().abs() == right)
+}
+
 /// The line itself; from pole to pole, where any meridian is a shortest line, the one that starts to the
 /// north ([`Geodesic`](super::Geodesic)).
 #[inline(always)]
 pub fn northward_between_poles<T: Real>(from: LatLon<T>, to: LatLon<T>, line: Inverse<T>) -> Inverse<T> {
-    let right = T::of(90.0);
-    if (from.lat().abs() == right) & (to.lat().abs() == right) {
+    if between_poles(from, to) {
         return Inverse {
             distance: select(from.lat() == to.lat(), T::ZERO, line.distance),
             azimuth1: T::ZERO,

@@ -1,4 +1,4 @@
-use super::angle::{heading, latitude_difference, longitude_difference, northward_between_poles, wrapped};
+use super::angle::{between_poles, turns_once, heading, latitude_difference, longitude_difference, northward_between_poles, wrapped};
 use super::great_circle::{Delambre, end};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
@@ -92,10 +92,10 @@ impl<T: Real> Bowring<T> {
     }
 }
 
-impl<T: Real> Geodesic<T> for Bowring<T> {
-    /// Never fails.
-    #[inline]
-    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+impl<T: Real> Bowring<T> {
+    /// The line, but from pole to pole.
+    #[inline(always)]
+    fn line(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
         let of = T::of;
         let Sphere { a, b, radius, u } = self.sphere(from.lat());
         let difference = latitude_difference(from, to);
@@ -108,36 +108,66 @@ impl<T: Real> Geodesic<T> for Bowring<T> {
         let middle = (u.0 * cos_d + u.1 * sin_d, u.1 * cos_d - u.0 * sin_d);
         let line = Delambre::new(sin_cos(w), (sin_d, cos_d), middle);
         let (azimuth1, azimuth2) = line.azimuths();
-        let line = Inverse {
+        Inverse {
             distance: line.angle() * radius,
             azimuth1,
             azimuth2,
+        }
+    }
+
+    /// The end of a line of `distance`, less its whole turns of the sphere if there are `many`, and whether
+    /// that is less than a turn.
+    #[inline(always)]
+    fn end(&self, from: LatLon<T>, heading: (T, T), distance: T, many: bool) -> (Direct<T>, bool) {
+        let of = T::of;
+        let Sphere { a, b, radius, u } = self.sphere(from.lat());
+        let circle = radius * of(2.0 * core::f64::consts::PI);
+        let once = if many { distance.remainder(circle) } else { distance };
+        let angle = once / radius;
+        let end = end(u, heading, sin_cos(angle), T::ONE);
+        let d = (end.lat - atan2_degrees(u.0, u.1)) * of(0.5);
+        let (sin, _) = sin_cos_degrees(from.lat() * of(2.0) + b * d * of(4.0 / 3.0));
+        let lat = from.lat() + (d + d) * (b - of(1.5) * self.ep2 * (d * of(RADIAN)) * sin);
+        let end = Direct {
+            position: LatLon::within(max(min(lat, of(90.0)), of(-90.0)), wrapped(from.lon() + end.lon / a)),
+            azimuth: end.azimuth,
         };
-        Ok(northward_between_poles(from, to, line))
+        (end, once.abs() < circle)
+    }
+}
+
+impl<T: Real> Geodesic<T> for Bowring<T> {
+    /// Never fails.
+    #[inline]
+    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+        Ok(northward_between_poles(from, to, self.line(from, to)))
     }
 
     /// # Errors
     /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let of = T::of;
-        let heading = heading(azimuth, distance)?;
-        let Sphere { a, b, radius, u } = self.sphere(from.lat());
-        let angle = distance.remainder(radius * of(2.0 * core::f64::consts::PI)) / radius;
-        let end = end(u, heading, sin_cos(angle), T::ONE);
-        let d = (end.lat - atan2_degrees(u.0, u.1)) * of(0.5);
-        let (sin, _) = sin_cos_degrees(from.lat() * of(2.0) + b * d * of(4.0 / 3.0));
-        let lat = from.lat() + (d + d) * (b - of(1.5) * self.ep2 * (d * of(RADIAN)) * sin);
-        Ok(Direct {
-            position: LatLon::within(max(min(lat, of(90.0)), of(-90.0)), wrapped(from.lon() + end.lon / a)),
-            azimuth: end.azimuth,
-        })
+        Ok(self.end(from, heading(azimuth, distance)?, distance, true).0)
+    }
+
+    /// Not found between poles.
+    #[inline(always)]
+    fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        (self.line(from, to), !between_poles(from, to))
+    }
+
+    /// Not found after a turn or more.
+    #[inline(always)]
+    fn fast_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        let (end, found) = self.end(from, sin_cos_degrees(azimuth), distance, false);
+        (end, found & turns_once(azimuth))
     }
 }
 
 const RADIAN: f64 = core::f64::consts::PI / 180.0;
 
 /// Two thirds of an angle in radians, in degrees.
+#[inline(always)]
 fn difference_third<T: Real>(radians: T) -> T {
     radians * T::of(2.0 / 3.0 / RADIAN)
 }

@@ -1,9 +1,9 @@
-use super::angle::off_pole;
+use super::angle::{between_poles, heading, northward_between_poles, off_pole, turns_once};
 use super::mid_latitude::{self, Scale};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::DoubleWord;
+use crate::math::{DoubleWord, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
 profile! {
@@ -102,13 +102,30 @@ impl<T: Real> Geodesic<T> for Flat<T> {
     /// Never fails.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        Ok(mid_latitude::inverse(from, to, |lat| self.scale(lat)))
+        let line = mid_latitude::inverse(from, to, |lat| self.scale(lat));
+        Ok(northward_between_poles(from, to, line))
     }
 
     /// # Errors
     /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        mid_latitude::direct(from, azimuth, distance, |lat| self.scale(lat))
+        let heading = heading(azimuth, distance)?;
+        Ok(mid_latitude::direct(from, heading, distance, |lat| self.scale(lat)))
+    }
+
+    /// Not found between poles.
+    #[inline(always)]
+    fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        let line = mid_latitude::inverse(from, to, |lat| self.scale(lat));
+        (line, !between_poles(from, to))
+    }
+
+    /// Not found for azimuths beyond ±360°.
+    #[inline(always)]
+    fn fast_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        let heading = sin_cos_degrees(azimuth);
+        let end = mid_latitude::direct(from, heading, distance, |lat| self.scale(lat));
+        (end, turns_once(azimuth) & distance.is_finite())
     }
 }

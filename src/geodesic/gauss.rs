@@ -1,4 +1,4 @@
-use super::angle::{latitude_difference, longitude_difference, northward_between_poles, off_pole, wrapped};
+use super::angle::{between_poles, latitude_difference, longitude_difference, northward_between_poles, off_pole, wrapped};
 use super::profile::profile;
 use super::{Bowring, Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
@@ -80,10 +80,10 @@ impl<T: Real> Gauss<T> {
     }
 }
 
-impl<T: Real> Geodesic<T> for Gauss<T> {
-    /// Never fails.
-    #[inline]
-    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+impl<T: Real> Gauss<T> {
+    /// The line, but from pole to pole.
+    #[inline(always)]
+    fn line(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
         let of = T::of;
         let (lat, lon) = (latitude_difference(from, to), longitude_difference(from, to));
         let (b, l) = (lat.value() * of(RADIAN), lon.value() * of(RADIAN));
@@ -102,12 +102,19 @@ impl<T: Real> Geodesic<T> for Gauss<T> {
         let (east, north) = (n * off_pole(cos) * l * east, n / v2 * b * north);
         let azimuth = atan2_degrees(east, north);
         let convergence = of(0.5) * lon.value() * sin * turn;
-        let line = Inverse {
+        Inverse {
             distance: hypot(north, east),
             azimuth1: wrapped(azimuth - convergence),
             azimuth2: wrapped(azimuth + convergence),
-        };
-        Ok(northward_between_poles(from, to, line))
+        }
+    }
+}
+
+impl<T: Real> Geodesic<T> for Gauss<T> {
+    /// Never fails.
+    #[inline]
+    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+        Ok(northward_between_poles(from, to, self.line(from, to)))
     }
 
     /// The direct problem of [`Bowring`].
@@ -117,6 +124,17 @@ impl<T: Real> Geodesic<T> for Gauss<T> {
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         self.bowring.direct(from, azimuth, distance)
+    }
+
+    /// Not found between poles.
+    #[inline(always)]
+    fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        (self.line(from, to), !between_poles(from, to))
+    }
+
+    #[inline(always)]
+    fn fast_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        self.bowring.fast_direct(from, azimuth, distance)
     }
 }
 

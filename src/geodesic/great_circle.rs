@@ -1,4 +1,4 @@
-use super::angle::{heading, latitude_difference, longitude_difference, off_pole, wrapped};
+use super::angle::{turns_once, heading, latitude_difference, longitude_difference, off_pole, wrapped};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, select, sin_cos, sin_cos_degrees};
@@ -130,6 +130,12 @@ impl<T: Real> GreatCircle<T> {
     /// For the sphere of an ellipsoid's mean radius, which is valid if the ellipsoid is.
     pub(crate) fn mean(ellipsoid: Ellipsoid<T>) -> Self {
         Self::within(ellipsoid.mean_radius())
+    }
+
+    /// The length of a great circle in metres.
+    #[inline(always)]
+    fn circle(&self) -> T {
+        self.radius * T::of(2.0 * core::f64::consts::PI)
     }
 
     /// Returns the radius in metres.
@@ -269,13 +275,7 @@ impl<T: Real> Geodesic<T> for GreatCircle<T> {
     #[cfg_attr(small, inline(always))]
     #[cfg_attr(not(small), inline)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        let line = Delambre::between(from, to);
-        let (azimuth1, azimuth2) = line.azimuths();
-        Ok(Inverse {
-            distance: line.angle() * self.radius,
-            azimuth1,
-            azimuth2,
-        })
+        Ok(self.fast_inverse(from, to).0)
     }
 
     /// Goes round any number of times.
@@ -285,13 +285,35 @@ impl<T: Real> Geodesic<T> for GreatCircle<T> {
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let heading = heading(azimuth, distance)?;
-        let circle = self.radius * T::of(2.0 * core::f64::consts::PI);
+        let circle = self.circle();
         let distance = if distance.abs() > circle {
             distance.remainder(circle)
         } else {
             distance
         };
         Ok(destination(from, heading, distance / self.radius))
+    }
+
+    #[inline(always)]
+    fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        let line = Delambre::between(from, to);
+        let (azimuth1, azimuth2) = line.azimuths();
+        let distance = line.angle() * self.radius;
+        (
+            Inverse {
+                distance,
+                azimuth1,
+                azimuth2,
+            },
+            true,
+        )
+    }
+
+    /// Not found after more than a turn.
+    #[inline(always)]
+    fn fast_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        let end = destination(from, sin_cos_degrees(azimuth), distance / self.radius);
+        (end, turns_once(azimuth) & (distance.abs() <= self.circle()))
     }
 }
 

@@ -78,6 +78,18 @@ impl<T: Real> Geodesic<T> for Haversine<T> {
     #[cfg_attr(small, inline(always))]
     #[cfg_attr(not(small), inline)]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+        Ok(self.fast_inverse(from, to).0)
+    }
+
+    /// # Errors
+    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN.
+    #[inline]
+    fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
+        self.sphere.direct(from, azimuth, distance)
+    }
+
+    #[inline(always)]
+    fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
         let (_, cos1) = sin_cos_degrees(from.lat());
         let (_, cos2) = sin_cos_degrees(to.lat());
         let (sin_lat, _) = latitude_difference(from, to).half().sin_cos_degrees();
@@ -86,17 +98,19 @@ impl<T: Real> Geodesic<T> for Haversine<T> {
         let half = min(hypot(sin_lat, (cos1 * cos2).sqrt() * sin_lon), T::ONE);
         let angle = T::of(2.0) * atan2(half, ((T::ONE - half) * (T::ONE + half)).sqrt());
         let (azimuth1, azimuth2) = Delambre::between(from, to).azimuths();
-        Ok(Inverse {
-            distance: angle * self.sphere.radius(),
-            azimuth1,
-            azimuth2,
-        })
+        let distance = angle * self.sphere.radius();
+        (
+            Inverse {
+                distance,
+                azimuth1,
+                azimuth2,
+            },
+            true,
+        )
     }
 
-    /// # Errors
-    /// [`GeodesicError::Azimuth`] or [`GeodesicError::Distance`] for a value that is infinite or NaN.
-    #[inline]
-    fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        self.sphere.direct(from, azimuth, distance)
+    #[inline(always)]
+    fn fast_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        self.sphere.fast_direct(from, azimuth, distance)
     }
 }

@@ -173,9 +173,23 @@ macro_rules! methods {
             }
 
             #[inline(always)]
+            fn distance(&self, from: LatLon<T>, to: LatLon<T>) -> Result<T, GeodesicError<T>> {
+                match self {
+                    $(Self::$variant(method) => method.distance(from, to),)*
+                }
+            }
+
+            #[inline(always)]
             fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
                 match self {
                     $(Self::$variant(method) => method.direct(from, azimuth, distance),)*
+                }
+            }
+
+            #[inline(always)]
+            fn with<W: GeodesicTask<T>>(&self, task: W) -> W::Output {
+                match self {
+                    $(Self::$variant(method) => task.run(method),)*
                 }
             }
         }

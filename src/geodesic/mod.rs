@@ -106,8 +106,34 @@ pub trait Geodesic<T: Real> {
     ///
     /// # Errors
     /// None, unless the method says so: only [`Vincenty`] does, with [`GeodesicError::NotConverged`].
-    #[doc(alias = "geod_inverse", alias = "distance", alias = "bearing")]
+    #[doc(alias = "geod_inverse", alias = "bearing")]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>>;
+
+    /// Returns the distance between two places in metres, with the bits of [`inverse`](Self::inverse) and
+    /// without computing azimuths.
+    ///
+    /// ```
+    /// use terrella::geodesic::{Geodesic, GreatCircle};
+    /// use terrella::LatLon;
+    /// let sphere = GreatCircle::new(6_371_000.0)?;
+    /// let (here, there) = (LatLon::new(0.0, 0.0)?, LatLon::new(0.0, 90.0)?);
+    /// assert_eq!(sphere.distance(here, there)?, sphere.inverse(here, there)?.distance);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`inverse`](Self::inverse).
+    #[inline(always)]
+    fn distance(&self, from: LatLon<T>, to: LatLon<T>) -> Result<T, GeodesicError<T>> {
+        // The compiler leaves out what computes azimuths. For size there is one copy of the solver.
+        if !cfg!(small) {
+            let (line, found) = self.fast_inverse(from, to);
+            if found {
+                return Ok(line.distance);
+            }
+        }
+        self.inverse(from, to).map(|line| line.distance)
+    }
 
     /// Solves the direct problem: returns the place that is reached from a place, at an azimuth in degrees,
     /// after a distance in metres, and the azimuth there. A negative distance goes backwards.
@@ -134,6 +160,13 @@ pub trait Geodesic<T: Real> {
         }
     }
 
+    /// As [`fast_inverse`](Self::fast_inverse), for places between which that finds no line, as nearly
+    /// antipodal ones: a batch solves them together. The default finds none.
+    #[inline(always)]
+    fn far_inverse(&self, _from: LatLon<T>, _to: LatLon<T>) -> (Inverse<T>, bool) {
+        (Inverse::nothing(), false)
+    }
+
     /// Solves the direct problem for [`batch::geodesic::direct`](crate::batch::geodesic::direct), as
     /// [`fast_inverse`](Self::fast_inverse) does the inverse one.
     #[inline(always)]
@@ -143,6 +176,44 @@ pub trait Geodesic<T: Real> {
             Err(_) => (Direct::nothing(), false),
         }
     }
+
+    /// Runs a task with the method's own type. An [`AnyMethod`] runs it with the type that it holds, so that a
+    /// loop over places chooses the method once.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn with<W: GeodesicTask<T>>(&self, task: W) -> W::Output
+    where
+        Self: Sized,
+    {
+        task.run(self)
+    }
+}
+
+/// A task for a method whose type is not known yet: see [`Geodesic::with`].
+///
+/// ```
+/// use terrella::geodesic::{Geodesic, GeodesicTask, Method};
+/// use terrella::Ellipsoid;
+///
+/// struct Size;
+///
+/// impl GeodesicTask<f64> for Size {
+///     type Output = usize;
+///     fn run<M: Geodesic<f64>>(self, _: &M) -> usize {
+///         size_of::<M>()
+///     }
+/// }
+///
+/// assert_eq!(Method::GreatCircle.on(Ellipsoid::<f64>::WGS84)?.with(Size), 8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[doc(hidden)]
+pub trait GeodesicTask<T: Real> {
+    /// What is returned.
+    type Output;
+
+    /// Runs the task with a method.
+    fn run<M: Geodesic<T>>(self, method: &M) -> Self::Output;
 }
 
 /// The solution of the inverse problem.

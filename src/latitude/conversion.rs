@@ -144,7 +144,7 @@ impl<T: Real> Conversion<T> {
 }
 
 /// A unit of angles.
-pub(crate) trait Angle {
+pub(crate) trait Angle: Copy {
     /// A right angle.
     fn quarter<T: Real>() -> T;
     /// A radian.
@@ -154,6 +154,7 @@ pub(crate) trait Angle {
 }
 
 /// Angles in degrees.
+#[derive(Clone, Copy)]
 pub(crate) struct Degrees;
 
 impl Angle for Degrees {
@@ -174,6 +175,7 @@ impl Angle for Degrees {
 }
 
 /// Angles in radians.
+#[derive(Clone, Copy)]
 pub(crate) struct Radians;
 
 impl Angle for Radians {

@@ -71,6 +71,9 @@ pub(crate) trait Sink {
     /// Writes row i of a block.
     fn put(block: &mut Self::Block, i: usize, row: Self::Row);
 
+    /// Row i of a block.
+    fn get(block: &Self::Block, i: usize) -> Self::Row;
+
     /// Stores the next block, or as much of it as there is room for, and moves past it.
     fn store(&mut self, block: &Self::Block);
 
@@ -188,6 +191,16 @@ impl<V: Cell, const N: usize> Sink for [&mut [V]; N] {
         put(block, i, row);
     }
 
+    fn get(block: &Self::Block, i: usize) -> Self::Row {
+        let mut columns = block.iter();
+        [(); N].map(|()| {
+            columns
+                .next()
+                .and_then(|column| column.get(i).copied())
+                .unwrap_or(V::nothing())
+        })
+    }
+
     #[inline(always)]
     fn store(&mut self, block: &Self::Block) {
         for (column, block) in self.iter_mut().zip(block) {
@@ -200,6 +213,77 @@ impl<V: Cell, const N: usize> Sink for [&mut [V]; N] {
         for (column, value) in self.iter_mut().zip(row) {
             push(column, value);
         }
+    }
+}
+
+/// The same row again and again.
+#[derive(Clone, Copy)]
+pub(crate) struct Same<R> {
+    row: R,
+    length: usize,
+}
+
+impl<R> Same<R> {
+    pub(crate) const fn new(row: R, length: usize) -> Self {
+        Self { row, length }
+    }
+}
+
+impl<V: Copy + Default, const N: usize> Source for Same<[V; N]> {
+    type Row = [V; N];
+    type Spare = [V; N];
+    type Block<'a>
+        = [V; N]
+    where
+        Self: 'a;
+
+    #[inline(always)]
+    fn spare() -> Self::Spare {
+        [V::default(); N]
+    }
+
+    #[inline(always)]
+    fn len(&self) -> usize {
+        self.length
+    }
+
+    fn other_length(&self, length: usize) -> Option<usize> {
+        (self.length != length).then_some(self.length)
+    }
+
+    #[inline(always)]
+    fn at(&self, _: usize) -> Self::Row {
+        self.row
+    }
+
+    #[inline(always)]
+    fn next<'a>(&mut self, _: &'a mut Self::Spare) -> Self::Block<'a>
+    where
+        Self: 'a,
+    {
+        self.length = self.length.saturating_sub(BLOCK);
+        self.row
+    }
+
+    #[inline(always)]
+    fn block<'a>(spare: &'a Self::Spare) -> Self::Block<'a>
+    where
+        Self: 'a,
+    {
+        *spare
+    }
+
+    #[inline(always)]
+    fn row<'a>(block: Self::Block<'a>, _: usize) -> Self::Row
+    where
+        Self: 'a,
+    {
+        block
+    }
+
+    #[inline(always)]
+    fn put(spare: &mut Self::Spare, _: usize, row: Self::Row) {
+        *spare = row;
     }
 }
 
@@ -283,6 +367,10 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
     fn put(block: &mut Self::Block, i: usize, row: Self::Row) {
         A::put(&mut block.0, i, row.0);
         B::put(&mut block.1, i, row.1);
+    }
+
+    fn get(block: &Self::Block, i: usize) -> Self::Row {
+        (A::get(&block.0, i), B::get(&block.1, i))
     }
 
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! The loop over columns. It works block by block, and short and odd lengths run the same code.
 
 use core::convert::Infallible;
+use core::marker::PhantomData;
 
 use super::columns::{BLOCK, Sink, Source};
 use super::dispatch::{Pass, dispatch};
@@ -12,11 +13,14 @@ pub(crate) const CHUNK: usize = 4 * BLOCK;
 /// has a second body for what is left.
 const LANES: usize = if cfg!(lanes) { 16 } else { 1 };
 
+/// With fewer elements the lanes do not pay.
+pub(crate) const FEW: usize = 4;
+
 /// The constructors of what an element is made of.
 ///
 /// [`keeps`](Self::keeps) and [`mend`](Self::mend) must be `#[inline(always)]`, straight-line code, and hold
 /// for any numbers.
-pub(crate) trait Door<Input> {
+pub(crate) trait Door<Input>: Copy {
     /// Why an element is refused.
     type Error;
 
@@ -36,7 +40,7 @@ pub(crate) trait Door<Input> {
 
 /// A function of one element that cannot be refused. [`apply`](Self::apply) is straight-line code and
 /// `#[inline(always)]`.
-pub(crate) trait Kernel<Input> {
+pub(crate) trait Kernel<Input>: Copy {
     /// The results.
     type Output;
 
@@ -48,7 +52,7 @@ pub(crate) trait Kernel<Input> {
 /// itself, one by one.
 ///
 /// All but [`one`](Self::one) must be `#[inline(always)]`, straight-line code, and hold for any numbers.
-pub(crate) trait Element<Input> {
+pub(crate) trait Element<Input>: Copy {
     /// The results.
     type Output;
     /// Why an element is refused.
@@ -62,6 +66,13 @@ pub(crate) trait Element<Input> {
 
     /// The results for numbers that are kept, and whether they are those of [`one`](Self::one), bit for bit.
     fn fast(&self, input: Input) -> (Self::Output, bool);
+
+    /// As [`fast`](Self::fast), for what that does not find: the hard cases in lanes of their own. By default there
+    /// is no such way.
+    #[inline(always)]
+    fn second(&self, input: Input) -> (Self::Output, bool) {
+        (self.fast(input).0, false)
+    }
 
     /// The results by the constructors and the function that takes one element.
     fn one(&self, input: Input) -> Result<Self::Output, Self::Error>;
@@ -139,6 +150,7 @@ where
 }
 
 /// No door: all numbers are kept.
+#[derive(Clone, Copy)]
 struct Open;
 
 impl<I> Door<I> for Open {
@@ -156,6 +168,7 @@ impl<I> Door<I> for Open {
 }
 
 /// A kernel behind a door.
+#[derive(Clone, Copy)]
 pub(crate) struct Behind<D, K>(pub(crate) D, pub(crate) K);
 
 impl<I, D: Door<I>, K: Kernel<I>> Element<I> for Behind<D, K> {
@@ -237,7 +250,7 @@ where
                 }
             }
             if !all {
-                complete::<K, S, D>(&kernel, rows, &found, &mut results, tally);
+                complete::<K, S, D>(&kernel, (rows, block), &mut found, &mut results, tally);
             }
             sink.store(&results);
             tally.pass(here);
@@ -245,17 +258,85 @@ where
     }
 }
 
-/// Computes the rows of a block that were not found, one by one.
+/// Computes the rows of a block that were not found: several of them in lanes, the rest one by one.
 #[cold]
 #[inline(never)]
-fn complete<K, S, D>(kernel: &K, rows: S, found: &[bool; BLOCK], results: &mut D::Block, tally: &mut Tally<K::Error>)
+fn complete<'a, K, S, D>(
+    kernel: &K,
+    (rows, block): (S, S::Block<'a>),
+    found: &mut [bool; BLOCK],
+    results: &mut D::Block,
+    tally: &mut Tally<K::Error>,
+) where
+    S: Source + 'a,
+    D: Sink,
+    K: Element<S::Row, Output = D::Row>,
+{
+    let here = rows.len().min(BLOCK);
+    let mut spare = S::spare();
+    let mut places = [0_u8; BLOCK];
+    let mut count = 0;
+    for (i, found) in (0..here).zip(found.iter()) {
+        let row = S::row(block, i);
+        if !found && kernel.keeps(row) {
+            S::put(&mut spare, count, row);
+            if let Some(place) = places.get_mut(count) {
+                *place = i as u8;
+            }
+            count += 1;
+        }
+    }
+    if count >= FEW {
+        let (second, well) = dispatch(Second::<K, S, D> {
+            kernel: *kernel,
+            spare,
+            count,
+            sink: PhantomData,
+        });
+        for (j, (&place, well)) in places.iter().zip(well).enumerate().take(count) {
+            if well {
+                let i = usize::from(place);
+                D::put(results, i, D::get(&second, j));
+                if let Some(slot) = found.get_mut(i) {
+                    *slot = true;
+                }
+            }
+        }
+    }
+    for (i, _) in (0..here).zip(found.iter()).filter(|(_, found)| !**found) {
+        let row = tally.note(i, kernel.one(rows.at(i)), D::nothing());
+        D::put(results, i, row);
+    }
+}
+
+/// [`Element::second`] for the first rows of a spare.
+struct Second<K, S: Source, D> {
+    /// By value: what a pointer in it points to is then known not to change in the loop.
+    kernel: K,
+    spare: S::Spare,
+    count: usize,
+    sink: PhantomData<D>,
+}
+
+impl<K, S, D> Pass for Second<K, S, D>
 where
     S: Source,
     D: Sink,
     K: Element<S::Row, Output = D::Row>,
 {
-    for (i, _) in (0..rows.len()).zip(found).filter(|(_, found)| !**found) {
-        let row = tally.note(i, kernel.one(rows.at(i)), D::nothing());
-        D::put(results, i, row);
+    type Output = (D::Block, [bool; BLOCK]);
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let (mut results, mut found, spare) = (D::block(), [false; BLOCK], self.spare);
+        let count = self.count.div_ceil(LANES).min(BLOCK / LANES) * LANES;
+        for i in 0..count {
+            let (row, fast) = self.kernel.second(S::row(S::block(&spare), i));
+            D::put(&mut results, i, row);
+            if let Some(slot) = found.get_mut(i) {
+                *slot = fast;
+            }
+        }
+        (results, found)
     }
 }

@@ -5,5 +5,5 @@ mod columns;
 mod dispatch;
 mod lanes;
 
-pub(crate) use columns::{BLOCK, Sink, Source, block, front, head, push, store};
-pub(crate) use lanes::{Behind, CHUNK, Door, Element, Kernel, Tally, lanes, sweep};
+pub(crate) use columns::{BLOCK, Same, Sink, Source, block, front, head, push, store};
+pub(crate) use lanes::{Behind, CHUNK, Door, Element, FEW, Kernel, Tally, lanes, sweep};

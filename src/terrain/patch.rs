@@ -323,6 +323,7 @@ impl<P: CubeProjection> Kernel<[f64; 2]> for ToDirection<P> {
 }
 
 /// The kernel from column, row and direction to displacement and normal.
+#[derive(Clone, Copy)]
 struct ToSample<C> {
     ellipsoid: Ellipsoid<f64>,
     turn: C,

@@ -285,6 +285,107 @@ fn every_geodesic<T: Scalar, M: Geodesic<T>>(method: &M) {
     }
 }
 
+/// Distances alone, of one place, and of the legs of a path; a bad place among them.
+fn every_distance<T: Scalar, M: Geodesic<T>>(method: &M) {
+    let [lat1, lon1, lat2, lon2] = pairs::<T>();
+    let one = LatLon::new(lat1[3], lon1[3]).unwrap();
+    let distance = |from: [T; 2], to: [T; 2]| {
+        let places = LatLon::new(from[0], from[1]).ok().zip(LatLon::new(to[0], to[1]).ok());
+        let line = places.and_then(|(from, to)| {
+            let line = method.inverse(from, to);
+            assert_eq!(method.distance(from, to), line.map(|line| line.distance));
+            line.ok()
+        });
+        line.map_or([T::of(f64::NAN); 3], |line| {
+            [line.distance, line.azimuth1, line.azimuth2]
+        })
+    };
+    for length in [0, 1, 2, 5, 64, 131] {
+        let (mut lat1, lon1) = (lat1[..length].to_vec(), &lon1[..length]);
+        let (lat2, lon2) = (&lat2[..length], &lon2[..length]);
+        if let Some(bad) = lat1.get_mut(length / 2 + 1) {
+            *bad = T::of(f64::NAN);
+        }
+        let many = [&lat1[..], lon1];
+        let nothing = vec![T::of(7.0); length];
+        let (here, there) = (|i: usize| [lat1[i], lon1[i]], |i: usize| [lat2[i], lon2[i]]);
+        let alone = [one.lat(), one.lon()];
+        let check = |what: &str, found: &[T], expected: &dyn Fn(usize) -> T| {
+            let expected: Vec<T> = (0..found.len()).map(expected).collect();
+            assert_eq!(bits(found), bits(&expected), "{what}, {length}");
+        };
+        let mut found = nothing.clone();
+        let _ = batch::geodesic::distance(method, many, [lat2, lon2], &mut found);
+        check("distance", &found, &|i| distance(here(i), there(i))[0]);
+        let mut found = nothing.clone();
+        let _ = batch::geodesic::distance_from(method, one, many, &mut found);
+        check("distance_from", &found, &|i| distance(alone, here(i))[0]);
+        let mut found = nothing.clone();
+        let _ = batch::geodesic::distance_to(method, many, one, &mut found);
+        check("distance_to", &found, &|i| distance(here(i), alone)[0]);
+        let mut lines = [nothing.clone(), nothing.clone(), nothing.clone()];
+        let _ = batch::geodesic::inverse_from(method, one, many, lines.each_mut().map(|c| &mut c[..]));
+        for (column, found) in lines.iter().enumerate() {
+            check("inverse_from", found, &|i| distance(alone, here(i))[column]);
+        }
+        let _ = batch::geodesic::inverse_to(method, many, one, lines.each_mut().map(|c| &mut c[..]));
+        for (column, found) in lines.iter().enumerate() {
+            check("inverse_to", found, &|i| distance(here(i), alone)[column]);
+        }
+        let mut found = nothing[length.min(1)..].to_vec();
+        let _ = batch::geodesic::legs(method, many, &mut found);
+        check("legs", &found, &|i| distance(here(i), here(i + 1))[0]);
+    }
+    let (column, mut found) = ([T::ZERO; 3], [T::ONE; 3]);
+    let unequal = batch::geodesic::legs(method, [&column, &column], &mut found);
+    assert_eq!(unequal, Err(InvalidBatch::Lengths { first: 2, other: 3 }));
+    let unequal = batch::geodesic::distance_from(method, one, [&column[1..], &column], &mut found);
+    assert_eq!(unequal, Err(InvalidBatch::Lengths { first: 2, other: 3 }));
+    assert_eq!(bits(&found), bits(&[T::ONE; 3]));
+}
+
+/// Places on one meridian, at a pole, on the equator, and the same place twice, also across 180°.
+#[test]
+fn special_lines_are_the_same_bits() {
+    fn by<T: Scalar>() {
+        let (lat, other) = (
+            scaled(&numbers::<T>(51, ENDS), 90.0),
+            scaled(&numbers::<T>(53, ENDS), 90.0),
+        );
+        let ends = &[1.0, -1.0, 0.0, -0.0];
+        let (lon, far) = (
+            scaled(&numbers::<T>(52, ends), 180.0),
+            scaled(&numbers::<T>(54, ends), 180.0),
+        );
+        let turned: Vec<T> = lon.iter().map(|&lon| lon + T::of(360.0)).collect();
+        let (pole, equator) = (vec![T::of(90.0); ALL], vec![T::ZERO; ALL]);
+        let earth = Karney::new(Ellipsoid::<T>::WGS84).unwrap();
+        for columns in [
+            [&lat, &lon, &lat, &lon],
+            [&lat, &lon, &lat, &turned],
+            [&lat, &lon, &other, &lon],
+            [&lat, &lon, &pole, &far],
+            [&pole, &lon, &pole, &lon],
+            [&equator, &lon, &equator, &far],
+        ] {
+            compare(
+                "special",
+                &columns.map(Vec::clone),
+                &|[lat1, lon1, lat2, lon2]| {
+                    let (from, to) = (LatLon::new(lat1, lon1).unwrap(), LatLon::new(lat2, lon2).unwrap());
+                    let line = earth.inverse(from, to).unwrap();
+                    [line.distance, line.azimuth1, line.azimuth2]
+                },
+                &|[lat1, lon1, lat2, lon2], lines| {
+                    batch::geodesic::inverse(&earth, [lat1, lon1], [lat2, lon2], lines).unwrap();
+                },
+            );
+        }
+    }
+    by::<f64>();
+    by::<f32>();
+}
+
 #[test]
 fn geodesics_are_the_same_bits() {
     fn both<T: Scalar>(f: f64) {
@@ -308,6 +409,7 @@ impl<T: Scalar> Visitor<T> for Every {
 
     fn visit<M: Geodesic<T>>(self, method: M) {
         every_geodesic(&method);
+        every_distance(&method);
     }
 }
 
@@ -317,7 +419,9 @@ fn all_methods_are_the_same_bits() {
         let earth = Ellipsoid::new(T::of(6.4e6), T::of(1.0 / 298.257)).unwrap();
         for method in Method::ALL {
             let place = LatLon::new(T::of(47.0), T::of(8.0)).unwrap();
-            method.about(earth, place).unwrap().visit(Every);
+            let method = method.about(earth, place).unwrap();
+            method.visit(Every);
+            every_distance(&method);
         }
     }
     both::<f64>();
@@ -372,6 +476,7 @@ impl Geodesic<f64> for Fast {
 fn a_users_method_goes_through() {
     fn by(method: &impl Geodesic<f64>) {
         every_geodesic(method);
+        every_distance(method);
         let too_far = GeodesicError::TooFar {
             distance: -3e9,
             limit: 2e9,

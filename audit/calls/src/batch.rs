@@ -287,6 +287,21 @@ fn geodesics<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M,
     visitor.visit::<T, _, _>(function("batch::geodesic::inverse", name), pairs, |[from, to]| {
         into(|lines| batch::geodesic::inverse(method, lent(&from), lent(&to), lines))
     });
+    visitor.visit::<T, _, _>(function("batch::geodesic::distance", name), pairs, |[from, to]| {
+        (
+            into(|[distances]| batch::geodesic::distance(method, lent(&from), lent(&to), distances)),
+            into(|[distances]| batch::geodesic::legs(method, lent(&from), distances.get_mut(1..).unwrap_or_default())),
+        )
+    });
+    let star = |arguments: &mut Arguments| (arguments.place::<T>(), places::<T>(arguments));
+    visitor.visit::<T, _, _>(function("batch::geodesic, of one place", name), star, |(one, many)| {
+        (
+            into(|lines| batch::geodesic::inverse_from(method, one, lent(&many), lines)),
+            into(|lines| batch::geodesic::inverse_to(method, lent(&many), one, lines)),
+            into(|[distances]| batch::geodesic::distance_from(method, one, lent(&many), distances)),
+            into(|[distances]| batch::geodesic::distance_to(method, lent(&many), one, distances)),
+        )
+    });
     let starts = |arguments: &mut Arguments| columns(arguments, [T::of(90.0), T::of(180.0), T::of(180.0), T::of(2e7)]);
     visitor.visit::<T, _, _>(
         function("batch::geodesic::direct", name),

@@ -77,6 +77,11 @@ fn both<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M, name
     visitor.visit::<T, _, _>(inverse(name), Arguments::pair::<T>, |[from, to]| {
         Geodesic::inverse(method, from, to)
     });
+    visitor.visit::<T, _, _>(
+        Function::of("Geodesic::distance", name),
+        Arguments::pair::<T>,
+        |[from, to]| Geodesic::distance(method, from, to),
+    );
     let start = |arguments: &mut Arguments| (arguments.place::<T>(), arguments.units::<T, 2>());
     visitor.visit::<T, _, _>(
         Function::of("Geodesic::direct", name),
@@ -103,6 +108,14 @@ fn straight<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M, 
         Arguments::pair::<T>,
         |[from, to]| {
             let (line, found) = Geodesic::fast_inverse(method, from, to);
+            found.then_some(line)
+        },
+    );
+    visitor.visit::<T, _, _>(
+        function("Geodesic::far_inverse"),
+        Arguments::antipodal::<T>,
+        |[from, to]| {
+            let (line, found) = Geodesic::far_inverse(method, from, to);
             found.then_some(line)
         },
     );

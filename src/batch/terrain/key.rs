@@ -16,6 +16,7 @@ use crate::{Direction, InvalidDirection, InvalidLatLon, LatLon, Real};
 type Address = (f32, ([u8; 1], [u32; 2]));
 
 /// Tiles by their numbers.
+#[derive(Clone, Copy)]
 struct Tiles;
 
 impl Tiles {
@@ -39,6 +40,7 @@ impl Door<Address> for Tiles {
 }
 
 /// From a tile's numbers to its key.
+#[derive(Clone, Copy)]
 struct ToKey<C>(PhantomData<C>);
 
 impl<C: Curve> Kernel<Address> for ToKey<C> {
@@ -52,6 +54,7 @@ impl<C: Curve> Kernel<Address> for ToKey<C> {
 }
 
 /// Keys along a curve.
+#[derive(Clone, Copy)]
 struct Keys<C>(PhantomData<C>);
 
 impl<C: Curve> Door<[u64; 1]> for Keys<C> {
@@ -68,6 +71,7 @@ impl<C: Curve> Door<[u64; 1]> for Keys<C> {
 }
 
 /// From a key to the numbers of its tile.
+#[derive(Clone, Copy)]
 struct FromKey<C>(PhantomData<C>);
 
 /// The key of a tile of level 0, for the loop where a number is not one.
@@ -90,6 +94,7 @@ impl<C: Curve> Kernel<[u64; 1]> for FromKey<C> {
 }
 
 /// From a point to the key of its tile at a level; 0 where there is no point.
+#[derive(Clone, Copy)]
 struct KeyAt<C>(u8, PhantomData<C>);
 
 impl<T: Real, C: Curve> Kernel<([T; 2], T)> for KeyAt<C> {
@@ -299,6 +304,7 @@ pub fn directions_to_key<C: Curve, T: Real, P: CubeProjection>(
 }
 
 /// Vectors of any length.
+#[derive(Clone, Copy)]
 struct Rays;
 
 impl Door<[f64; 3]> for Rays {
@@ -314,6 +320,7 @@ impl Door<[f64; 3]> for Rays {
     }
 }
 
+#[derive(Clone, Copy)]
 struct S2Leaf;
 
 impl Kernel<[f64; 3]> for S2Leaf {

@@ -30,6 +30,7 @@ impl<E: fmt::Display> fmt::Display for InvalidTiled<E> {
 impl<E: fmt::Debug + fmt::Display> core::error::Error for InvalidTiled<E> {}
 
 /// Column and row of a point at a level.
+#[derive(Clone, Copy)]
 struct Square(u8);
 
 impl<T: Real> Kernel<([T; 2], T)> for Square {

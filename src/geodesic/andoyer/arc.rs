@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 use crate::geodesic::angle::{Angle, latitude_difference, longitude_difference, off_pole, wrapped};
 use crate::geodesic::great_circle::end;
 use crate::geodesic::sphere::{Start, Triangle, parametric};
-use crate::geodesic::{Direct, GeodesicError};
+use crate::geodesic::Direct;
 use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, max, min, select, sin_cos};
 use crate::{LatLon, Real};
 
@@ -210,10 +210,10 @@ impl<T: Real> Departure<T> {
 
     /// The end of the arc with this sine and cosine, its longitude less by so many radians.
     #[inline(always)]
-    pub fn end(&self, arc: (T, T), shift: T) -> Direct<T> {
+    pub fn end(&self, arc: (T, T), shift: T, many: bool) -> Direct<T> {
         let Start { beta1, alpha1, .. } = self.start;
         let end = end((beta1.sin, beta1.cos), (alpha1.sin, alpha1.cos), arc, self.axes);
-        let lon = end.lon - (shift * T::of(180.0 / PI)).remainder(T::of(360.0));
+        let lon = end.lon - without_turns(shift * T::of(180.0 / PI), T::of(360.0), many);
         Direct {
             position: LatLon::within(end.lat, wrapped(wrapped(lon) + self.from.lon())),
             azimuth: end.azimuth,
@@ -221,12 +221,21 @@ impl<T: Real> Departure<T> {
     }
 }
 
-/// A distance as an arc in radians: without whole circuits, and with them.
+/// A distance as an arc in radians: without whole circuits if there may be `many`, and with them.
 #[inline(always)]
-pub fn arc<T: Real>(distance: T, radius: T) -> Result<(T, T), GeodesicError<T>> {
+pub fn arc<T: Real>(distance: T, radius: T, many: bool) -> (T, T) {
     let whole = distance / radius;
-    if !whole.is_finite() {
-        return Err(GeodesicError::quotient(distance, radius));
-    }
-    Ok((whole.remainder(T::of(2.0 * PI)), whole))
+    (without_turns(whole, T::of(2.0 * PI), many), whole)
+}
+
+/// Whether an arc in radians, and the longitude that it adds, are less than a turn.
+#[inline(always)]
+pub fn is_less_than_a_turn<T: Real>(arc: T) -> bool {
+    arc.abs() < T::of(2.0 * PI)
+}
+
+/// An angle, without its whole turns if there may be `many`.
+#[inline(always)]
+fn without_turns<T: Real>(angle: T, turn: T, many: bool) -> T {
+    if many { angle.remainder(turn) } else { angle }
 }

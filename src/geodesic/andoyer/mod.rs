@@ -1,13 +1,13 @@
-use super::angle::{heading, northward_between_poles};
+use super::angle::{between_poles, heading, northward_between_poles, turns_once};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::sin_cos;
+use crate::math::{sin_cos, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
 pub(super) mod arc;
 
-use arc::{Departure, Ends};
+use arc::{Departure, Ends, is_less_than_a_turn};
 
 profile! {
     name: "andoyer",
@@ -80,20 +80,42 @@ impl<T: Real> Andoyer<T> {
     }
 }
 
-impl<T: Real> Geodesic<T> for Andoyer<T> {
-    /// Never fails.
-    #[inline]
-    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+impl<T: Real> Andoyer<T> {
+    /// The line, but from pole to pole.
+    #[inline(always)]
+    fn line(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
         let ends = Ends::new(self.axes, from, to);
         let arc = ends.arc(ends.lambda12);
         let lacking = T::of(0.5) * self.f * arc.cos2_alpha0 * (arc.sigma12 + arc.sin_sigma12 * arc.cos_2sigma_m);
         let (azimuth1, azimuth2) = ends.azimuths_after(&arc, self.f * arc.sin_alpha0 * arc.sigma12);
-        let line = Inverse {
+        Inverse {
             distance: self.a * (arc.sigma12 - lacking),
             azimuth1,
             azimuth2,
-        };
-        Ok(northward_between_poles(from, to, line))
+        }
+    }
+
+    /// The end of a line of `many` turns or less than one; and the arc in radians, and by what it is divided.
+    #[inline(always)]
+    fn end(&self, from: LatLon<T>, heading: (T, T), distance: T, many: bool) -> (Direct<T>, T, T) {
+        let start = Departure::new(self.axes, from, heading);
+        // With the λ reached s = a(σ(1 − f) + f/2 cos²α (σ − sin σ cos 2σₘ)); solved for σ to the first
+        // order.
+        let half = T::of(0.5) * self.f * start.cos2_alpha0();
+        let radius = self.a * (self.axes + half);
+        let (tau, whole) = arc::arc(distance, radius, many);
+        let turn = sin_cos(tau);
+        let sigma = tau + half * turn.0 * start.cos_2sigma_m(turn);
+        let shift = self.f * start.sin_alpha0() * (sigma + (whole - tau));
+        (start.end(sin_cos(sigma), shift, many), whole, radius)
+    }
+}
+
+impl<T: Real> Geodesic<T> for Andoyer<T> {
+    /// Never fails.
+    #[inline]
+    fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
+        Ok(northward_between_poles(from, to, self.line(from, to)))
     }
 
     /// # Errors
@@ -102,15 +124,23 @@ impl<T: Real> Geodesic<T> for Andoyer<T> {
     /// all numbers.
     #[inline]
     fn direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
-        let start = Departure::new(self.axes, from, heading(azimuth, distance)?);
-        // With the λ reached s = a(σ(1 − f) + f/2 cos²α (σ − sin σ cos 2σₘ)); solved for σ to the first
-        // order.
-        let half = T::of(0.5) * self.f * start.cos2_alpha0();
-        let radius = self.a * (self.axes + half);
-        let (tau, whole) = arc::arc(distance, radius)?;
-        let turn = sin_cos(tau);
-        let sigma = tau + half * turn.0 * start.cos_2sigma_m(turn);
-        let shift = self.f * start.sin_alpha0() * (sigma + (whole - tau));
-        Ok(start.end(sin_cos(sigma), shift))
+        let (end, whole, radius) = self.end(from, heading(azimuth, distance)?, distance, true);
+        if !whole.is_finite() {
+            return Err(GeodesicError::quotient(distance, radius));
+        }
+        Ok(end)
+    }
+
+    /// Not found between poles.
+    #[inline(always)]
+    fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        (self.line(from, to), !between_poles(from, to))
+    }
+
+    /// Not found after a turn or more.
+    #[inline(always)]
+    fn fast_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
+        let (end, whole, _) = self.end(from, sin_cos_degrees(azimuth), distance, false);
+        (end, turns_once(azimuth) & is_less_than_a_turn(whole))
     }
 }

@@ -9,7 +9,7 @@ use core::f64::consts::FRAC_PI_4;
 use super::{Pair, Solver, Trial};
 use crate::geodesic::Inverse;
 use crate::geodesic::series::short::{a1_less_1, c1_between, waves};
-use crate::math::{choose, max, min, octant};
+use crate::math::{choose, max, min, octant, repeat, select};
 use crate::{LatLon, Real};
 
 /// Where Newton's method has ended.
@@ -25,11 +25,29 @@ pub struct Outcome<T> {
     found: bool,
 }
 
+/// The longitude of a great circle, and the step of Newton's method from there.
+struct Evaluation<T> {
+    epsilon: T,
+    waves: [T; 5],
+    /// σ₁₂ in two parts.
+    high: T,
+    low: T,
+    sigma12: T,
+    /// What λ₁₂ is in excess by.
+    excess: T,
+    step: T,
+    small_step: T,
+    found: bool,
+}
+
 /// Evaluations of the longitude that nearly always are enough, but near the antipode.
 #[inline(always)]
 fn fixed<T: Real>() -> usize {
     T::terms(3, 2)
 }
+
+/// Steps in lanes near the antipode: enough for most places.
+const FAR_STEPS: usize = 4;
 
 /// Evaluations of the longitude at most. Where the shortest line turns from east to north some twenty are
 /// needed.
@@ -60,8 +78,16 @@ impl<T: Real> Solver<T> {
     pub fn near_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
         let mut pair = Pair::new(self.axes, from, to);
         pair.see(false);
-        let outcome = self.newton(&pair, fixed::<T>());
-        (outcome.inverse, outcome.found & !pair.nearly_antipodal())
+        let Outcome { inverse, found, .. } = self.newton(&pair, fixed::<T>());
+        // Between a place and itself nothing is divided by the arc.
+        let same = (pair.phi1 == pair.phi2) & (pair.lambda12 == T::ZERO) & (pair.rest == T::ZERO);
+        let unless_same = |value| select(same, T::ZERO, value);
+        let line = Inverse {
+            distance: unless_same(inverse.distance),
+            azimuth1: unless_same(inverse.azimuth1),
+            azimuth2: unless_same(inverse.azimuth2),
+        };
+        (line, same | (found & !pair.nearly_antipodal()))
     }
 
     #[cold]
@@ -86,7 +112,7 @@ impl<T: Real> Solver<T> {
     /// The line between the places as they are seen, in so many steps at most.
     #[inline(always)]
     fn newton(&self, pair: &Pair<T>, most: usize) -> Outcome<T> {
-        let (antipodal, side) = (pair.antipodal, pair.side);
+        let antipodal = pair.antipodal;
         // ω₁₂ is λ₁₂ as it is rounded and so much more; near the antipode, where every digit of it counts,
         // all of it.
         let (rest, mut growth) = if antipodal {
@@ -110,56 +136,134 @@ impl<T: Real> Solver<T> {
             (growth, trial, evaluations) = self.approach(pair, (rest, growth, trial), steps);
         }
         loop {
-            let epsilon_by_cos2 = self.series.epsilon_by_cos2(trial.cos2_alpha0);
-            let epsilon = trial.cos2_alpha0 * epsilon_by_cos2;
-            let waves = waves(
-                epsilon,
-                epsilon_by_cos2 * trial.cos_2sigma_m,
-                (trial.sin_sigma12, trial.cos_sigma12),
-            );
-            let (a3, bend) = self.series.i3(epsilon, waves);
-            let (eighths, small) = octant(trial.sin_sigma12, trial.cos_sigma12);
-            // π/4 in two parts, the first so short that four times it is exact.
-            let high = eighths * T::pick(FRAC_PI_4, 1_647_099.0 / 2_097_152.0);
-            let low = eighths * T::pick(3.061_616_997_868_383e-17, 1.569_582_4e-7) + small;
-            let sigma12 = high + low;
-            let rate = side * (self.f * trial.sin_alpha0);
-            let excess = ((rest - growth) + rate * bend) + rate * a3 * sigma12;
-            let slope = self.slope(&trial, a3 * sigma12 + bend, sigma12);
-            let step = excess * (T::ONE / slope);
-            // The square of such a step is rounding, and what is in excess by no more than this is the
-            // rounding of its own sum.
-            let small_step = trial.sin_sigma12 * T::pick(1e-8, 5e-5);
-            let rounding = T::of(8.0) * T::EPSILON * (rest.abs() + T::of(3.0) * self.f.abs());
-            let found = excess.abs() <= small_step * slope + rounding;
-            if (evaluations < least) | ((evaluations < most) & !found) {
-                growth = pair.stepped(growth, step);
+            let evaluation = self.evaluate(pair, rest - growth, rest, &trial);
+            if (evaluations < least) | ((evaluations < most) & !evaluation.found) {
+                growth = pair.stepped(growth, evaluation.step);
                 trial = pair.grown(growth);
                 evaluations += 1;
                 continue;
             }
-
-            // The azimuths of this triangle, and what the step turns them by.
-            let turn = side * max(min(step, small_step), -small_step) * trial.inverse_square;
-            let (course1, course2) = (trial.course1, trial.course2);
-            let alpha1 = pair.azimuth(course1, turn * (pair.beta2.cos * course2.cos));
-            let alpha2 = pair.azimuth(course2, turn * (pair.beta1.cos * course1.cos));
-
-            let b1 = c1_between(epsilon, waves);
-            let more = b1 + a1_less_1(epsilon) * (sigma12 + b1) + side * (trial.sin_alpha0 * excess / self.axes);
-            return Outcome {
-                inverse: Inverse {
-                    distance: self.b * (high + (low + more)),
-                    azimuth1: choose(pair.swap, alpha2, alpha1),
-                    azimuth2: choose(pair.swap, alpha1, alpha2),
-                },
-                sigma12: sigma12 + side * (trial.sin_alpha0 * step),
-                growth: side * ((growth + step) - rest),
-                evaluations,
-                // Where it is less, squares are no numbers with all their digits.
-                found: found & (trial.sin_sigma12 > T::pick(1e-150, 1e-18)),
-            };
+            return self.outcome_of(pair, &trial, &evaluation, (growth, rest), evaluations);
         }
+    }
+
+    /// Evaluates the longitude of a great circle; `left` is what is left of λ₁₂.
+    #[inline(always)]
+    fn evaluate(&self, pair: &Pair<T>, left: T, rest: T, trial: &Trial<T>) -> Evaluation<T> {
+        let side = pair.side;
+        let epsilon_by_cos2 = self.series.epsilon_by_cos2(trial.cos2_alpha0);
+        let epsilon = trial.cos2_alpha0 * epsilon_by_cos2;
+        let waves = waves(
+            epsilon,
+            epsilon_by_cos2 * trial.cos_2sigma_m,
+            (trial.sin_sigma12, trial.cos_sigma12),
+        );
+        let (a3, bend) = self.series.i3(epsilon, waves);
+        let (eighths, small) = octant(trial.sin_sigma12, trial.cos_sigma12);
+        // π/4 in two parts, the first so short that four times it is exact.
+        let high = eighths * T::pick(FRAC_PI_4, 1_647_099.0 / 2_097_152.0);
+        let low = eighths * T::pick(3.061_616_997_868_383e-17, 1.569_582_4e-7) + small;
+        let sigma12 = high + low;
+        let rate = side * (self.f * trial.sin_alpha0);
+        let excess = (left + rate * bend) + rate * a3 * sigma12;
+        let slope = self.slope(trial, a3 * sigma12 + bend, sigma12);
+        let step = excess * (T::ONE / slope);
+        // The square of such a step is rounding, and what is in excess by no more than this is the rounding
+        // of its own sum.
+        let small_step = trial.sin_sigma12 * T::pick(1e-8, 5e-5);
+        let rounding = T::of(8.0) * T::EPSILON * (rest.abs() + T::of(3.0) * self.f.abs());
+        Evaluation {
+            epsilon,
+            waves,
+            high,
+            low,
+            sigma12,
+            excess,
+            step,
+            small_step,
+            found: excess.abs() <= small_step * slope + rounding,
+        }
+    }
+
+    /// The line of the last great circle and its evaluation.
+    #[inline(always)]
+    fn outcome_of(
+        &self,
+        pair: &Pair<T>,
+        trial: &Trial<T>,
+        evaluation: &Evaluation<T>,
+        (growth, rest): (T, T),
+        evaluations: usize,
+    ) -> Outcome<T> {
+        let &Evaluation {
+            epsilon,
+            waves,
+            high,
+            low,
+            sigma12,
+            excess,
+            step,
+            small_step,
+            found,
+        } = evaluation;
+        let side = pair.side;
+        // The azimuths of this triangle, and what the step turns them by.
+        let turn = side * max(min(step, small_step), -small_step) * trial.inverse_square;
+        let (course1, course2) = (trial.course1, trial.course2);
+        let alpha1 = pair.azimuth(course1, turn * (pair.beta2.cos * course2.cos));
+        let alpha2 = pair.azimuth(course2, turn * (pair.beta1.cos * course1.cos));
+
+        let b1 = c1_between(epsilon, waves);
+        let more = b1 + a1_less_1(epsilon) * (sigma12 + b1) + side * (trial.sin_alpha0 * excess / self.axes);
+        Outcome {
+            inverse: Inverse {
+                distance: self.b * (high + (low + more)),
+                azimuth1: choose(pair.swap, alpha2, alpha1),
+                azimuth2: choose(pair.swap, alpha1, alpha2),
+            },
+            sigma12: sigma12 + side * (trial.sin_alpha0 * step),
+            growth: side * ((growth + step) - rest),
+            evaluations,
+            // Where it is less, squares are no numbers with all their digits.
+            found: found & (trial.sin_sigma12 > T::pick(1e-150, 1e-18)),
+        }
+    }
+
+    /// The inverse problem between nearly antipodal places without a branch, and whether the answer is that
+    /// of [`inverse`](Self::inverse): not if it takes more steps than most, nor between opposite latitudes.
+    #[inline(always)]
+    pub fn far_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        let mut pair = Pair::new(self.axes, from, to);
+        let antipodal = pair.nearly_antipodal();
+        pair.see(true);
+        let usual = antipodal & (pair.rise.abs() > T::EPSILON) & (pair.phi2.abs() != T::of(90.0));
+        let rest = pair.supplement();
+        let mut growth = self.omega_of_flat_triangle(&pair, rest);
+        let mut trial = pair.grown(growth);
+        let mut settled = T::terms(1, 0) == 0;
+        if T::terms(1, 0) == 1 {
+            let mut last = (growth, trial.rough_sigma12(true));
+            repeat!(FAR_STEPS, {
+                let (step, sigma12) = self.rough_step(&pair, (rest, last.0, &trial), last.1);
+                // Once it has settled it stays.
+                last = (
+                    choose(settled, last.0, pair.stepped(last.0, step)),
+                    choose(settled, last.1, sigma12),
+                );
+                growth = last.0;
+                trial = pair.grown(growth);
+                settled |= self.is_rough_end(step, &trial);
+            });
+        } else {
+            repeat!(FAR_STEPS, {
+                let evaluation = self.evaluate(&pair, rest - growth, rest, &trial);
+                growth = choose(evaluation.found, growth, pair.stepped(growth, evaluation.step));
+                trial = pair.grown(growth);
+            });
+        }
+        let evaluation = self.evaluate(&pair, rest - growth, rest, &trial);
+        let outcome = self.outcome_of(&pair, &trial, &evaluation, (growth, rest), 0);
+        (outcome.inverse, outcome.found & usual & settled)
     }
 
     /// Steps with short series to the last but one, or near the antipode until they settle: how much ω₁₂ has
@@ -174,20 +278,36 @@ impl<T: Real> Solver<T> {
         let mut sigma12 = trial.rough_sigma12(pair.antipodal);
         let mut evaluations = 1;
         while evaluations < steps {
-            let (shift, slope) = self.rough_shift(&trial, sigma12);
-            let step = ((rest - growth) + pair.side * shift) / slope;
-            let turn = pair.side * step;
-            sigma12 += turn * (trial.sin_alpha0 + T::of(0.5) * trial.dsin_alpha0 * turn);
+            let step;
+            (step, sigma12) = self.rough_step(pair, (rest, growth, &trial), sigma12);
             growth = pair.stepped(growth, step);
             trial = pair.grown(growth);
             evaluations += 1;
             // The next error, as a part of sin σ₁₂, is less than the square of the last step; or the series
             // are too short to tell.
-            if pair.antipodal && step.abs() <= trial.sin_sigma12 * T::of(5e-5) + self.f.abs() * T::of(1e-9) {
+            if pair.antipodal && self.is_rough_end(step, &trial) {
                 break;
             }
         }
         (growth, trial, evaluations)
+    }
+
+    /// A step with short series, and σ₁₂ after it.
+    #[inline(always)]
+    fn rough_step(&self, pair: &Pair<T>, (rest, growth, trial): (T, T, &Trial<T>), sigma12: T) -> (T, T) {
+        let (shift, slope) = self.rough_shift(trial, sigma12);
+        let step = ((rest - growth) + pair.side * shift) / slope;
+        let turn = pair.side * step;
+        (
+            step,
+            sigma12 + turn * (trial.sin_alpha0 + T::of(0.5) * trial.dsin_alpha0 * turn),
+        )
+    }
+
+    /// Whether after this step one evaluation by the long series is enough.
+    #[inline(always)]
+    fn is_rough_end(&self, step: T, trial: &Trial<T>) -> bool {
+        step.abs() <= trial.sin_sigma12 * T::of(5e-5) + self.f.abs() * T::of(1e-9)
     }
 
     /// f sin α₀ I₃ but for 1e-9, and the derivative of ω₁₂ less it.

@@ -16,7 +16,7 @@ use crate::{LatLon, Real};
 /// λ₁₂ stand for ω₁₂ and λ₁₂.
 #[derive(Clone, Copy)]
 pub struct Pair<T> {
-    phi1: T,
+    pub(super) phi1: T,
     pub(super) phi2: T,
     pub(super) beta1: Angle<T>,
     pub(super) beta2: Angle<T>,

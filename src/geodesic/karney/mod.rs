@@ -209,6 +209,12 @@ impl<T: Real> Geodesic<T> for Karney<T> {
     }
 
     #[inline(always)]
+    fn far_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
+        let (line, found) = self.fast.far_inverse(from, to);
+        (line, found & self.fast.exact())
+    }
+
+    #[inline(always)]
     fn fast_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> (Direct<T>, bool) {
         let (end, found) = self.fast.direct(from, azimuth, distance);
         (end, found & self.fast.exact())
