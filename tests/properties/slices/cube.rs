@@ -1,0 +1,88 @@
+//! Cube projections and maps.
+
+use terrella::batch;
+use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection, QuadCube};
+use terrella::{Direction, Ellipsoid, LatLon, Real, Shift};
+
+use super::{Scalar, compare, directions, faces, number, places, points, store};
+
+/// A projection, in both directions and on the ellipsoid.
+fn projection<T: Scalar, P: CubeProjection>(name: &str, p: P) {
+    compare(
+        &format!("{name} project"),
+        &directions::<T>(),
+        &|[x, y, z]| {
+            let point = p.project(Direction::new(x, y, z).unwrap());
+            [number(point.face()), point.x(), point.y()]
+        },
+        &|from, [face, x, y]| {
+            let mut faces = vec![Face::Front; face.len()];
+            batch::cube::project(p, from, &mut faces, [x, y]).unwrap();
+            store(&faces, face);
+        },
+    );
+    compare(
+        &format!("{name} unproject"),
+        &points::<T>(),
+        &|[face, x, y]| p.unproject(FacePoint::new(faces(&[face])[0], x, y).unwrap()).to_array(),
+        &|[face, x, y], to| batch::cube::unproject(p, &faces(face), [x, y], to).unwrap(),
+    );
+}
+
+fn map<T: Scalar, P: CubeProjection>(name: &str, p: P, shift: Shift) {
+    let map = CubeMap::new(Ellipsoid::<T>::WGS84, shift, p).unwrap();
+    compare(
+        &format!("{name} map, {shift}"),
+        &places::<T>(),
+        &|[lat, lon]| {
+            let point = map.project(LatLon::new(lat, lon).unwrap());
+            [number(point.face()), point.x(), point.y()]
+        },
+        &|from, [face, x, y]| {
+            let mut faces = vec![Face::Front; face.len()];
+            batch::map::project(&map, from, &mut faces, [x, y]).unwrap();
+            store(&faces, face);
+        },
+    );
+    compare(
+        &format!("{name} map back, {shift}"),
+        &points::<T>(),
+        &|[face, x, y]| {
+            let place = map.unproject(FacePoint::new(faces(&[face])[0], x, y).unwrap());
+            [place.lat(), place.lon()]
+        },
+        &|[face, x, y], to| batch::map::unproject(&map, &faces(face), [x, y], to).unwrap(),
+    );
+}
+
+/// A projection that the crate does not know, from its documentation.
+#[derive(Clone, Copy)]
+struct Gnomonic;
+
+impl CubeProjection for Gnomonic {
+    fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
+        [right / outward, up / outward]
+    }
+    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
+        let length = (x * x + y * y + T::ONE).sqrt();
+        [x / length, y / length, T::ONE / length]
+    }
+}
+
+fn every_projection<T: Scalar>() {
+    for &p in Projection::ALL {
+        projection::<T, _>(p.name(), p);
+    }
+    projection::<T, _>("gnomonic", Gnomonic);
+    projection::<T, _>("quad cube", QuadCube::COBE);
+    for &shift in Shift::ALL {
+        map::<T, _>("vertex", Projection::Vertex, shift);
+    }
+    map::<T, _>("gnomonic", Gnomonic, Shift::Authalic);
+}
+
+#[test]
+fn projections_are_the_same_bits() {
+    every_projection::<f64>();
+    every_projection::<f32>();
+}
