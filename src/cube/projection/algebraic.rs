@@ -20,7 +20,7 @@ projection! {
         oversize: 2.712,
         deformation: 31.1,
         forward: Algebraic, error [3.6e-16, 1.9e-7], instructions [79, 76];
-        inverse: Algebraic, error [2.8e-16, 1.6e-7], instructions [50, 46];
+        inverse: Algebraic, error [2.8e-16, 1.6e-7], instructions [50, 48];
         tiles: smooth(1.04, 1.03),
     }
 }

@@ -13,7 +13,7 @@ projection! {
         origin: "COBE’s published polynomial.",
         choose: "Take it for COBE’s cells where a round trip must be exact; [`Cobe`](super::Cobe) has the \
             published polynomial to the sphere. For nearly equal areas at less cost take \
-            [`Algebraic`](super::Algebraic) (areas vary 1.268 to 1 instead of 1.230 to 1; 58 instructions to \
+            [`Algebraic`](super::Algebraic) (areas vary 1.268 to 1 instead of 1.230 to 1; 50 instructions to \
             the sphere instead of 730).",
         keeps: None,
         area_ratio: 1.230,

@@ -13,7 +13,7 @@ projection! {
         origin: "Made for terrella.",
         choose: "Take it where x must be a function of u alone, and y of v alone. \
             [`Balanced`](super::Balanced) has less texture oversize (1.405 instead of 1.587) and costs less \
-            to the sphere (63 instructions instead of 86).",
+            to the sphere (63 instructions instead of 84).",
         keeps: None,
         area_ratio: 1.637,
         aspect_ratio: 1.587,
