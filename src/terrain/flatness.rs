@@ -189,7 +189,10 @@ pub(super) fn witnesses(level: u8) -> impl Iterator<Item = Tile> {
         // Eighths of the way to the edge.
         _ => half + (u64::from(half) * u64::from(place - 5) / 8) as u32,
     };
-    let indices = move || (0..13).map(near).map(move |index| index.clamp(half.min(last), last));
+    let index = move |place| near(place).clamp(half.min(last), last);
+    // At coarse levels many are the same.
+    let first = move |&place: &u32| (0..place).all(|before| index(before) != index(place));
+    let indices = move || (0..13).filter(first).map(index);
     let row = move |face, j| indices().map(move |i| Tile::within(face, level, i, j));
     [Face::Front, Face::Top]
         .into_iter()

@@ -103,7 +103,7 @@ fn ends_of_flatter_ellipsoids_too() {
 #[test]
 fn near_the_antipode_it_answers() {
     // From 2° of the antipode down to 1e-13°.
-    all_answered(200_000, |rng, _| {
+    all_answered(100_000, |rng, _| {
         let (lat, lon) = even(rng);
         let (short, turn) = (2.0 * 10f64.powf(-13.0 * rng.f64()), std::f64::consts::PI * signed(rng));
         let east = short * turn.sin() / maximum(lat.to_radians().cos(), 0.01);
@@ -115,7 +115,7 @@ fn near_the_antipode_it_answers() {
         ]
     });
     // From half a degree to two.
-    all_answered(200_000, |rng, _| {
+    all_answered(100_000, |rng, _| {
         let (lat, lon) = even(rng);
         let (short, turn) = (0.5 + 1.5 * rng.f64(), std::f64::consts::PI * signed(rng));
         let east = short * turn.sin() / maximum(lat.to_radians().cos(), 0.01);
@@ -131,7 +131,7 @@ fn near_the_antipode_it_answers() {
 #[test]
 fn where_lines_cross_it_answers() {
     // Nearly opposite latitudes, and longitudes on both sides of where the shortest line leaves the parallel.
-    all_answered(200_000, |rng, f| {
+    all_answered(100_000, |rng, f| {
         let lat = even(rng).0;
         let apart = 10f64.powf(-17.0 * rng.f64()).copysign(signed(rng));
         let limit = 180.0 * f.abs() * lat.to_radians().cos();
@@ -145,7 +145,7 @@ fn where_lines_cross_it_answers() {
 
 #[test]
 fn elsewhere_it_answers() {
-    all_answered(200_000, |rng, _| awkward(rng));
+    all_answered(100_000, |rng, _| awkward(rng));
 }
 
 /// `cargo test --release --test geodesic -- --ignored ten_million`: some minutes.

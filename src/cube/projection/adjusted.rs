@@ -27,7 +27,7 @@ projection! {
         oversize: 2.000,
         deformation: 31.1,
         forward: Trigonometric, error [3.0e-16, 1.6e-7], instructions [200, 180];
-        inverse: Trigonometric, error [3.0e-16, 1.7e-7], instructions [84, 57];
+        inverse: Trigonometric, error [3.0e-16, 1.7e-7], instructions [93, 64];
         tiles: smooth(0.79, 1.37),
     }
 }

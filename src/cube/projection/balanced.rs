@@ -23,7 +23,7 @@ projection! {
         oversize: 1.405,
         deformation: 31.1,
         forward: Iteration, error [2.4e-16, 1.3e-7], instructions [240, 190];
-        inverse: Algebraic, error [2.7e-16, 1.5e-7], instructions [63, 60];
+        inverse: Algebraic, error [2.7e-16, 1.5e-7], instructions [63, 62];
         tiles: smooth(0.77, 2.02),
     }
 }

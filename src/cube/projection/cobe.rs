@@ -18,7 +18,7 @@ projection! {
             (1975); CSC of the FITS standard, Calabretta & Greisen (2002), §5.6.2; Dimitrijević, Lambers & \
             Rančić (2016), §4.4. The distortion is that of the published polynomial to the sphere.",
         choose: "Take it to read and write COBE data. [`CobeExact`](super::CobeExact) has the same \
-            polynomial to the cube and leads back to the same point, for 730 instructions instead of 130. \
+            polynomial to the cube and leads back to the same point, for 720 instructions instead of 130. \
             For exactly equal areas take [`Quadrilateralized`](super::Quadrilateralized) or \
             [`Vertex`](super::Vertex).",
         keeps: None,

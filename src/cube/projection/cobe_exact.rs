@@ -14,14 +14,14 @@ projection! {
         choose: "Take it for COBE’s cells where a round trip must be exact; [`Cobe`](super::Cobe) has the \
             published polynomial to the sphere. For nearly equal areas at less cost take \
             [`Algebraic`](super::Algebraic) (areas vary 1.268 to 1 instead of 1.230 to 1; 50 instructions to \
-            the sphere instead of 730).",
+            the sphere instead of 720).",
         keeps: None,
         area_ratio: 1.230,
         aspect_ratio: 2.383,
         oversize: 2.383,
         deformation: 31.1,
         forward: Polynomial, error [2.0e-16, 1.0e-7], instructions [110, 110];
-        inverse: Iteration, error [2.8e-16, 1.5e-7], instructions [730, 600];
+        inverse: Iteration, error [2.8e-16, 1.5e-7], instructions [720, 600];
         tiles: smooth(2.24, 17.6),
     }
 }

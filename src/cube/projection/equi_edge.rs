@@ -22,7 +22,7 @@ projection! {
         oversize: 2.000,
         deformation: 31.1,
         forward: Trigonometric, error [3.4e-16, 1.8e-7], instructions [200, 180];
-        inverse: Trigonometric, error [3.3e-16, 1.8e-7], instructions [84, 58];
+        inverse: Trigonometric, error [3.3e-16, 1.8e-7], instructions [93, 68];
         tiles: smooth(0.97, 1.02),
     }
 }

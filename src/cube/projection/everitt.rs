@@ -20,7 +20,7 @@ projection! {
         oversize: 2.420,
         deformation: 31.1,
         forward: Algebraic, error [2.9e-16, 1.6e-7], instructions [73, 71];
-        inverse: Algebraic, error [2.9e-16, 1.6e-7], instructions [49, 45];
+        inverse: Algebraic, error [2.9e-16, 1.6e-7], instructions [49, 47];
         tiles: smooth(0.83, 0.96),
     }
 }

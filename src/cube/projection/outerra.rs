@@ -22,7 +22,7 @@ projection! {
         oversize: 3.088,
         deformation: 31.1,
         forward: Iteration, error [2.5e-16, 1.4e-7], instructions [180, 160];
-        inverse: Algebraic, error [3.0e-16, 1.6e-7], instructions [52, 47];
+        inverse: Algebraic, error [3.0e-16, 1.6e-7], instructions [58, 55];
         tiles: smooth(0.88, 0.81),
     }
 }

@@ -26,7 +26,7 @@ projection! {
         aspect_ratio: 2.370,
         oversize: 2.370,
         deformation: 25.2,
-        forward: Polynomial, error [6.0e-16, 3.2e-7], instructions [160, 150];
+        forward: Polynomial, error [6.0e-16, 3.2e-7], instructions [160, 140];
         inverse: Polynomial, error [4.8e-16, 2.6e-7], instructions [120, 100];
         tiles: creased(0.285, 1.38),
     }

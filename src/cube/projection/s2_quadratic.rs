@@ -24,7 +24,7 @@ projection! {
         oversize: 2.105,
         deformation: 31.1,
         forward: Algebraic, error [2.8e-16, 1.5e-7], instructions [79, 77];
-        inverse: Algebraic, error [2.9e-16, 1.7e-7], instructions [46, 42];
+        inverse: Algebraic, error [2.9e-16, 1.7e-7], instructions [55, 52];
         tiles: smooth(0.88, 1.52),
     }
 }

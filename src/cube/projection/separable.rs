@@ -13,14 +13,14 @@ projection! {
         origin: "Made for terrella.",
         choose: "Take it where x must be a function of u alone, and y of v alone. \
             [`Balanced`](super::Balanced) has less texture oversize (1.405 instead of 1.587) and costs less \
-            to the sphere (63 instructions instead of 84).",
+            to the sphere (63 instructions instead of 93).",
         keeps: None,
         area_ratio: 1.637,
         aspect_ratio: 1.587,
         oversize: 1.587,
         deformation: 31.1,
         forward: Trigonometric, error [3.0e-16, 1.6e-7], instructions [200, 180];
-        inverse: Trigonometric, error [3.1e-16, 1.7e-7], instructions [84, 58];
+        inverse: Trigonometric, error [3.1e-16, 1.7e-7], instructions [93, 68];
         tiles: smooth(0.86, 1.15),
     }
 }

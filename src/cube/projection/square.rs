@@ -20,7 +20,7 @@ projection! {
         oversize: 1.889,
         deformation: 33.5,
         forward: Iteration, error [3.3e-16, 1.8e-7], instructions [360, 270];
-        inverse: Algebraic, error [3.1e-16, 1.7e-7], instructions [82, 81];
+        inverse: Algebraic, error [3.1e-16, 1.7e-7], instructions [89, 81];
         tiles: smooth(0.88, 2.28),
     }
 }

@@ -1,7 +1,7 @@
 //! What several projections share.
 
 use crate::Real;
-use crate::math::{max, min};
+use crate::math::{max, min, select};
 
 /// Coordinates that rounding has not led off the face.
 #[inline(always)]
@@ -12,15 +12,24 @@ pub(crate) fn on_face<T: Real>(coordinates: [T; 2]) -> [T; 2] {
 /// The unit vector of gnomonic coordinates (u, v).
 #[inline(always)]
 pub(super) fn from_gnomonic<T: Real>([u, v]: [T; 2]) -> [T; 3] {
-    normalise([u, v, T::ONE])
+    let inverse = reciprocal_root(u * u + v * v + T::ONE);
+    [u * inverse, v * inverse, inverse]
 }
 
-/// The unit vector of a vector whose squares neither vanish nor overflow: one division, one square root, in this
-/// order, as a root halves what was lost before it. What both lose changes the length alone.
+/// The unit vector of a vector in a face's frame, whose squares neither vanish nor overflow.
 ///
 /// On a cube's edge two components agree; the order of the sum keeps the result the same from both faces.
 #[inline(always)]
 pub(super) fn normalise<T: Real>([x, y, z]: [T; 3]) -> [T; 3] {
-    let inverse = (T::ONE / (x * x + y * y + z * z)).sqrt();
-    [x * inverse, y * inverse, z * inverse]
+    let aside = x * x + y * y;
+    let inverse = reciprocal_root(aside + z * z);
+    // The middle of a face is on the axis, to the last bit.
+    let outward = select(aside == T::ZERO, T::ONE, z * inverse);
+    [x * inverse, y * inverse, outward]
+}
+
+/// 1/√n: the root after the division, as it halves what that lost. What both lose changes a vector's length alone.
+#[inline(always)]
+fn reciprocal_root<T: Real>(n: T) -> T {
+    (T::ONE / n).sqrt()
 }
