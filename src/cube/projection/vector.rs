@@ -23,8 +23,9 @@ pub(super) fn from_gnomonic<T: Real>([u, v]: [T; 2]) -> [T; 3] {
 pub(super) fn normalise<T: Real>([x, y, z]: [T; 3]) -> [T; 3] {
     let aside = x * x + y * y;
     let inverse = reciprocal_root(aside + z * z);
-    // The middle of a face is on the axis, to the last bit.
-    let outward = select(aside == T::ZERO, T::ONE, z * inverse);
+    let outward = z * inverse;
+    // The middle of a face is on the axis, to the last bit; its derivatives stay.
+    let outward = select(aside == T::ZERO, T::ONE + outward.vanish(), outward);
     [x * inverse, y * inverse, outward]
 }
 
