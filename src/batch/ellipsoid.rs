@@ -97,11 +97,6 @@ impl<T: Real> Element<[T; 3]> for ToGeodetic<T> {
     }
 
     #[inline(always)]
-    fn mend(&self, point: [T; 3]) -> [T; 3] {
-        point
-    }
-
-    #[inline(always)]
     fn fast(&self, [x, y, z]: [T; 3]) -> ([T; 3], bool) {
         let point = Ecef::within(x, y, z);
         let place = self.0.to_geodetic_ordinary(point);

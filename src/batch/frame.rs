@@ -88,11 +88,6 @@ impl<T: Real, A: Axes<T>> Element<[T; 3]> for ToPoint<'_, T, A> {
     }
 
     #[inline(always)]
-    fn mend(&self, row: [T; 3]) -> [T; 3] {
-        row
-    }
-
-    #[inline(always)]
     fn fast(&self, row: [T; 3]) -> ([T; 3], bool) {
         let point = self.0.point_of(enu::<T, A>(row));
         (point, Points.keeps(point))
@@ -115,11 +110,6 @@ impl<T: Real, A: Axes<T>> Element<[T; 3]> for ToPlace<'_, T, A> {
     #[inline(always)]
     fn keeps(&self, _: [T; 3]) -> bool {
         true
-    }
-
-    #[inline(always)]
-    fn mend(&self, row: [T; 3]) -> [T; 3] {
-        row
     }
 
     #[inline(always)]
@@ -146,11 +136,6 @@ impl<T: Real> Element<[T; 3]> for ToOffset<'_, T> {
     #[inline(always)]
     fn keeps(&self, _: [T; 3]) -> bool {
         true
-    }
-
-    #[inline(always)]
-    fn mend(&self, row: [T; 3]) -> [T; 3] {
-        row
     }
 
     #[inline(always)]

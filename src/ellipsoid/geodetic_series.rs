@@ -17,9 +17,9 @@ use crate::{Ecef, Geodetic, LatLon, Real};
 /// | third | 2.5 mm | 3 µm | 11 mm | 1.3 m |
 /// | fourth | 0.1 µm | 15 nm | 1.1 µm | 1.3 m |
 ///
-/// What the orders leave grows with the next power of the flattening. The series are for points from 75 e²a to
-/// 10⁶ a from the centre of an ellipsoid with |f| ≤ 1/150: elsewhere the result is a place, but not this one. No
-/// point is refused; on the axis, the longitude is 0 or ±180.
+/// What the orders leave grows with the next power of the flattening. Points within 75 e²a of the centre (half
+/// of the Earth's radius), on the axis, or beyond squares of the scalar, and all points of ellipsoids with
+/// |f| > 1/150, are converted by [`Ellipsoid::to_geodetic`]: the series do not hold there.
 ///
 /// ```
 /// use terrella::{Ecef, Ellipsoid, GeodeticSeries};
@@ -33,8 +33,7 @@ use crate::{Ecef, Geodetic, LatLon, Real};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GeodeticSeries<T> {
-    a: T,
-    e2: T,
+    ellipsoid: Ellipsoid<T>,
 }
 
 impl<T: Real> GeodeticSeries<T> {
@@ -42,10 +41,7 @@ impl<T: Real> GeodeticSeries<T> {
     #[must_use]
     #[inline(always)]
     pub fn new(ellipsoid: Ellipsoid<T>) -> Self {
-        Self {
-            a: ellipsoid.a(),
-            e2: ellipsoid.e2(),
-        }
+        Self { ellipsoid }
     }
 
     /// Converts a point by the terms of the first and second order.
@@ -70,16 +66,26 @@ impl<T: Real> GeodeticSeries<T> {
     }
 
     #[inline(always)]
-    pub(crate) fn convert<const ORDER: usize>(&self, point: Ecef<T>) -> Geodetic<T> {
+    fn convert<const ORDER: usize>(&self, point: Ecef<T>) -> Geodetic<T> {
+        if self.ellipsoid.is_ordinary(point) {
+            self.series::<ORDER>(point)
+        } else {
+            self.ellipsoid.to_geodetic(point)
+        }
+    }
+
+    #[inline(always)]
+    fn series<const ORDER: usize>(&self, point: Ecef<T>) -> Geodetic<T> {
         let [x, y, z] = point.to_array();
-        let (one, half, e2) = (T::ONE, T::of(0.5), self.e2);
+        let (a, e2) = (self.ellipsoid.a(), self.ellipsoid.e2());
+        let (one, half) = (T::ONE, T::of(0.5));
         let across = x * x + y * y;
         let square = across + z * z;
         let (rho, r) = (across.sqrt(), square.sqrt());
         let inverse = one / r;
         // Northern: the latitude takes the sign of z at the end.
         let (s, c) = (z.abs() * inverse, rho * inverse);
-        let epsilon = e2 * self.a * inverse;
+        let epsilon = e2 * a * inverse;
         let (ss, cc, m) = (s * s, c * c, s * c);
         let d = cc - ss;
         let squeeze = e2 * ss;
@@ -108,8 +114,8 @@ impl<T: Real> GeodeticSeries<T> {
         } else if ORDER > 2 {
             tail += q * T::of(5.0 / 128.0);
         }
-        let drop = self.a * (q * (half + q * (T::of(0.125) + q * tail)));
-        let height = (r - self.a) + (drop - r * tt * (half - T::of(0.375) * tt));
+        let drop = a * (q * (half + q * (T::of(0.125) + q * tail)));
+        let height = (r - a) + (drop - r * tt * (half - T::of(0.375) * tt));
 
         let lat = degrees(s + c * t, c - s * t).copysign(z);
         let lon = degrees(y.abs(), x).copysign(y);

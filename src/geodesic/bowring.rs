@@ -1,4 +1,6 @@
-use super::angle::{between_poles, turns_once, heading, latitude_difference, longitude_difference, northward_between_poles, wrapped};
+use super::angle::{
+    between_poles, heading, latitude_difference, longitude_difference, northward_between_poles, turns_once, wrapped,
+};
 use super::great_circle::{Delambre, end};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse, nearly_round};

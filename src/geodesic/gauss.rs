@@ -1,4 +1,6 @@
-use super::angle::{between_poles, latitude_difference, longitude_difference, northward_between_poles, off_pole, wrapped};
+use super::angle::{
+    between_poles, latitude_difference, longitude_difference, northward_between_poles, off_pole, wrapped,
+};
 use super::profile::profile;
 use super::{Bowring, Direct, Geodesic, GeodesicError, Inverse, nearly_round};
 use crate::latitude::UnsupportedFlattening;

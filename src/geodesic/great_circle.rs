@@ -1,4 +1,4 @@
-use super::angle::{turns_once, heading, latitude_difference, longitude_difference, off_pole, wrapped};
+use super::angle::{heading, latitude_difference, longitude_difference, off_pole, turns_once, wrapped};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, select, sin_cos, sin_cos_degrees};

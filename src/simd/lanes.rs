@@ -62,7 +62,10 @@ pub(crate) trait Element<Input>: Copy {
     fn keeps(&self, input: Input) -> bool;
 
     /// As [`Door::mend`].
-    fn mend(&self, input: Input) -> Input;
+    #[inline(always)]
+    fn mend(&self, input: Input) -> Input {
+        input
+    }
 
     /// The results for numbers that are kept, and whether they are those of [`one`](Self::one), bit for bit.
     fn fast(&self, input: Input) -> (Self::Output, bool);

@@ -1,8 +1,8 @@
 //! The local frames, and which face a direction belongs to.
 
 use fastrand::Rng;
-use terrella::cube::{CubeProjection, Face, Healpix};
-use terrella::{Direction, Real};
+use terrella::cube::{CubeProjection, Face, FacePoint, Healpix, Projection};
+use terrella::{Direction, Dual, Real};
 
 use crate::sample::{Scalar, directions, signed};
 use testkit::unfolded::{cross, frame};
@@ -203,5 +203,36 @@ fn healpix_gives_ties_of_longitude_to_y() {
             let direction = Direction::new(x, y, z).unwrap();
             assert_eq!(Healpix.face(direction), side, "{direction:?}");
         }
+    }
+}
+
+/// The middle of a face is on its axis to the last bit.
+fn middles<T: Scalar>() {
+    for &projection in Projection::ALL {
+        for face in Face::ALL {
+            let middle = projection.unproject(FacePoint::new(face, T::ZERO, T::ZERO).unwrap());
+            let axis = face.to_earth([T::ZERO, T::ZERO, T::ONE]);
+            assert_eq!(middle.to_array(), axis, "{projection} {face:?}");
+        }
+    }
+}
+
+#[test]
+fn middles_are_on_the_axes() {
+    middles::<f64>();
+    middles::<f32>();
+}
+
+/// There the outward component of a unit vector falls by half of the square of the others: its second derivative stays.
+#[test]
+fn middles_keep_their_second_derivatives() {
+    for projection in Projection::ALL.iter().filter(|&&p| p != Projection::Healpix) {
+        let x = Dual::new(Dual::new(0.0_f64, [1.0]), [Dual::new(1.0, [0.0])]);
+        let zero = Dual::constant(Dual::constant(0.0));
+        let [right, up, outward] = projection.inverse(Face::Front, [x, zero]);
+        let [[slope], [aside]] = [right, up].map(|component| component.slopes().map(Dual::value));
+        let [bend] = outward.slopes().map(|slope| slope.slopes()[0]);
+        let expected = -(slope * slope + aside * aside);
+        assert!((bend - expected).abs() < 1e-12, "{projection}: {bend}, not {expected}");
     }
 }

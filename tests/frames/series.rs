@@ -56,6 +56,30 @@ fn the_series_are_as_accurate_as_claimed() {
     );
 }
 
+/// Where the series do not hold, the exact conversion is taken.
+#[test]
+fn elsewhere_it_is_exact() {
+    let flat = Ellipsoid::<f64>::new(1.0, 0.5).unwrap();
+    for (ellipsoid, [x, y, z]) in [
+        (Ellipsoid::WGS84, [0.0, 0.0, 0.0]),
+        (Ellipsoid::WGS84, [1e3, 1e3, 1e3]),
+        (Ellipsoid::WGS84, [1e-200, 0.0, 0.0]),
+        (Ellipsoid::WGS84, [0.0, 0.0, 7e6]),
+        (Ellipsoid::WGS84, [f64::MAX, 0.0, f64::MAX]),
+        (flat, [0.5, 0.0, 0.5]),
+    ] {
+        let (series, point) = (GeodeticSeries::new(ellipsoid), ecef(x, y, z));
+        let exact = ellipsoid.to_geodetic(point);
+        for found in [
+            series.second_order(point),
+            series.third_order(point),
+            series.fourth_order(point),
+        ] {
+            assert_eq!(found, exact, "{point:?}");
+        }
+    }
+}
+
 #[test]
 fn axes_and_signs_are_kept() {
     let series = GeodeticSeries::new(Ellipsoid::<f64>::WGS84);

@@ -1,5 +1,7 @@
 //! Added to the library: which mutant this run is of, and where it came by.
-#![allow(missing_docs, unsafe_code, clippy::panic, clippy::unwrap_used, clippy::indexing_slicing)]
+#![allow(
+    missing_docs, unsafe_code, clippy::panic, clippy::unwrap_used, clippy::indexing_slicing
+)]
 
 extern crate std;
 

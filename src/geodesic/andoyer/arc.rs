@@ -3,10 +3,10 @@
 
 use core::f64::consts::PI;
 
+use crate::geodesic::Direct;
 use crate::geodesic::angle::{Angle, latitude_difference, longitude_difference, off_pole, wrapped};
 use crate::geodesic::great_circle::end;
 use crate::geodesic::sphere::{Start, Triangle, parametric};
-use crate::geodesic::Direct;
 use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, max, min, select, sin_cos};
 use crate::{LatLon, Real};
 
