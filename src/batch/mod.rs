@@ -45,7 +45,8 @@
 //! | [`terrain::to_key`], [`terrain::from_key`] | [`Key`](crate::terrain::Key) of a tile, and back |
 //! | [`terrain::places_to_key`], [`terrain::directions_to_key`] | the same, of the tile that contains a place |
 //! | [`terrain::s2_leaf`] | [`Key::s2_leaf_of`](crate::terrain::Key::s2_leaf_of) |
-//! | [`terrain::sample_places`], [`terrain::sample_directions`] | [`Tile::node`](crate::terrain::Tile::node), on the ground |
+//! | [`terrain::sample_places`] | [`Tile::node`](crate::terrain::Tile::node), on the ground |
+//! | [`terrain::sample_directions`] | the same, as unit vectors |
 //! | [`scene::inverse`], [`scene::direct`] | [`AnyMethod`](crate::geodesic::AnyMethod) of a scene |
 //! | [`scene::enu`] | [`AnyView::enu`](crate::scene::AnyView::enu) |
 //! | [`scene::areas`] | [`AnyArea::area`](crate::scene::AnyArea::area) |
