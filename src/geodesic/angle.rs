@@ -2,7 +2,7 @@
 //! difference lost, and azimuths as users give them.
 
 use super::{GeodesicError, Inverse};
-use crate::math::{DoubleWord, atan2, atan2_degrees, either, hypot, max, select, sin_cos, sin_cos_degrees};
+use crate::math::{DoubleWord, atan2, atan2_degrees, either, hypot, max, select, sin_cos, sin_cos_degrees, sin_cos_quarter};
 use crate::{LatLon, Real};
 
 /// An angle by its sine and cosine.
@@ -97,6 +97,15 @@ impl<T: Real> DoubleWord<T> {
     pub(super) fn sin_cos_degrees(self) -> (T, T) {
         let small = self.low * T::of(core::f64::consts::PI / 180.0);
         let (sin, cos) = sin_cos_degrees(self.high);
+        (sin + cos * small, cos - sin * small)
+    }
+
+    /// The same for at most 90 degrees on either side, with half of the arithmetic, within 2 ulp.
+    #[inline(always)]
+    pub(super) fn sin_cos_acute(self) -> (T, T) {
+        let small = self.low * T::of(core::f64::consts::PI / 180.0);
+        let (sin, cos) = sin_cos_quarter(self.high.abs());
+        let sin = sin.copysign(self.high);
         (sin + cos * small, cos - sin * small)
     }
 }

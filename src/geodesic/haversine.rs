@@ -2,7 +2,7 @@ use super::angle::{latitude_difference, longitude_difference};
 use super::great_circle::Delambre;
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse};
-use crate::math::{atan2, hypot, min, sin_cos_degrees};
+use crate::math::{hypot_of_sines, min, octant_radians, sin_cos_quarter};
 use crate::{Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
 profile! {
@@ -90,13 +90,14 @@ impl<T: Real> Geodesic<T> for Haversine<T> {
 
     #[inline(always)]
     fn fast_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
-        let (_, cos1) = sin_cos_degrees(from.lat());
-        let (_, cos2) = sin_cos_degrees(to.lat());
-        let (sin_lat, _) = latitude_difference(from, to).half().sin_cos_degrees();
-        let (sin_lon, _) = longitude_difference(from, to).half().sin_cos_degrees();
+        let (_, cos1) = sin_cos_quarter(from.lat().abs());
+        let (_, cos2) = sin_cos_quarter(to.lat().abs());
+        let (sin_lat, _) = latitude_difference(from, to).half().sin_cos_acute();
+        let (sin_lon, _) = longitude_difference(from, to).half().sin_cos_acute();
         // The root of the haversine, without squares: they could underflow.
-        let half = min(hypot(sin_lat, (cos1 * cos2).sqrt() * sin_lon), T::ONE);
-        let angle = T::of(2.0) * atan2(half, ((T::ONE - half) * (T::ONE + half)).sqrt());
+        let half = min(hypot_of_sines(sin_lat, (cos1 * cos2).sqrt() * sin_lon), T::ONE);
+        let (high, low) = octant_radians(half, ((T::ONE - half) * (T::ONE + half)).sqrt());
+        let angle = T::of(2.0) * (high + low);
         let (azimuth1, azimuth2) = Delambre::between(from, to).azimuths();
         let distance = angle * self.sphere.radius();
         (

@@ -12,3 +12,13 @@ pub(crate) fn hypot<T: Real>(x: T, y: T) -> T {
     let (x, y) = (x * grow, y * grow);
     (x * x + y * y).sqrt() * shrink
 }
+
+/// The same of numbers of at most 1 in size, with half of the arithmetic.
+#[inline(always)]
+pub(crate) fn hypot_of_sines<T: Real>(x: T, y: T) -> T {
+    // 2^±510 and 2^±62.
+    let grow = T::pick(3.351_951_982_485_649_3e153, 4.611_686e18);
+    let shrink = T::pick(2.983_336_292_480_083e-154, 2.168_404_3e-19);
+    let (x, y) = (x * grow, y * grow);
+    (x * x + y * y).sqrt() * shrink
+}

@@ -37,14 +37,14 @@ mod sin_cos;
 mod tan;
 
 pub use atan::{atan, atan2, atan2_degrees};
-pub(crate) use atan::{atan_moderate, octant, turned_degrees};
+pub(crate) use atan::{atan_moderate, octant, octant_radians, turned_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::Complex;
 pub(crate) use double_word::{DoubleWord, hypotenuse, product, product_of_any, sum};
 pub use exp_m1::exp_m1;
 pub use extremes::{max, min};
 pub(crate) use gudermannian::{gudermannian, inverse_gudermannian};
-pub(crate) use hypot::hypot;
+pub(crate) use hypot::{hypot, hypot_of_sines};
 pub(crate) use interleave::{gathered, spread};
 pub use log2::log2;
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_COS, QUAD_M, QUAD_SIN, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};

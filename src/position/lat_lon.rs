@@ -203,11 +203,19 @@ impl<T: Real> LatLon<T> {
         Direction::from_angles(latitude, longitude)
     }
 
-    /// Sine and cosine of latitude and longitude. Not inlined, so that the compiler computes both side by
-    /// side, whatever a caller does between.
-    #[inline(never)]
+    /// Sine and cosine of latitude and longitude.
+    #[inline(always)]
     pub(crate) fn sin_cos(self) -> [(T, T); 2] {
-        [sin_cos_degrees(self.lat), sin_cos_degrees(self.lon)]
+        let [[sin_lat, sin_lon], [cos_lat, cos_lon]] = self.sines_and_cosines();
+        [(sin_lat, cos_lat), (sin_lon, cos_lon)]
+    }
+
+    /// Not inlined, and in this order: so the compiler computes both angles side by side, whatever a caller
+    /// does between.
+    #[inline(never)]
+    fn sines_and_cosines(self) -> [[T; 2]; 2] {
+        let [lat, lon] = [self.lat, self.lon].map(sin_cos_degrees);
+        [[lat.0, lon.0], [lat.1, lon.1]]
     }
 }
 

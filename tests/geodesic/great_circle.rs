@@ -123,7 +123,7 @@ fn single_precision_keeps_its_claim() {
     }
     let (relative, over) = (relative.value(), over.value());
     println!("{relative:.2e}, {over:.2} m");
-    assert!(relative <= 4.5e-7 && over <= 1.0);
+    assert!(relative <= 4.5e-7 && over <= 1.5);
 }
 
 /// Points along, in the middle and beside great circles, by triangles that are known.
@@ -260,10 +260,10 @@ fn climbing_finds_no_distance_worse_than_claimed() {
 #[test]
 fn the_worst_distance_between_neighbours() {
     let (from, to) = (
-        place(-59.936_087_046_782_49, -166.647_908_487_836_1),
-        place(-59.936_088_714_410_61, -166.647_848_848_822_46),
+        place(-59.090_545_616_031_818, -128.799_924_414_945_05),
+        place(-59.084_057_742_383_656, -128.575_553_903_537_41),
     );
-    let truth = 5.222654418839926e-07;
+    let truth = 0.0020149576356392612;
     let error = (unit::<f64>().inverse(from, to).unwrap().distance - truth).abs() / truth;
-    assert!((5e-16..=8e-16).contains(&error), "{error:e}");
+    assert!((8.4e-16..=9e-16).contains(&error), "{error:e}");
 }

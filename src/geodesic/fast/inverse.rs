@@ -4,12 +4,11 @@
 //! Most places take a fixed number of steps. Nearly antipodal ones, seen from the antipode so that no digit
 //! is lost, take steps until they settle; so do the few that the fixed number was not enough for.
 
-use core::f64::consts::FRAC_PI_4;
 
 use super::{Pair, Solver, Trial};
 use crate::geodesic::Inverse;
 use crate::geodesic::series::short::{a1_less_1, c1_between, waves};
-use crate::math::{choose, max, min, octant, repeat, select};
+use crate::math::{choose, max, min, octant_radians, repeat, select};
 use crate::{LatLon, Real};
 
 /// Where Newton's method has ended.
@@ -159,10 +158,7 @@ impl<T: Real> Solver<T> {
             (trial.sin_sigma12, trial.cos_sigma12),
         );
         let (a3, bend) = self.series.i3(epsilon, waves);
-        let (eighths, small) = octant(trial.sin_sigma12, trial.cos_sigma12);
-        // π/4 in two parts, the first so short that four times it is exact.
-        let high = eighths * T::pick(FRAC_PI_4, 1_647_099.0 / 2_097_152.0);
-        let low = eighths * T::pick(3.061_616_997_868_383e-17, 1.569_582_4e-7) + small;
+        let (high, low) = octant_radians(trial.sin_sigma12, trial.cos_sigma12);
         let sigma12 = high + low;
         let rate = side * (self.f * trial.sin_alpha0);
         let excess = (left + rate * bend) + rate * a3 * sigma12;
