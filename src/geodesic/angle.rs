@@ -2,7 +2,9 @@
 //! difference lost, and azimuths as users give them.
 
 use super::{GeodesicError, Inverse};
-use crate::math::{DoubleWord, atan2, atan2_degrees, either, hypot, max, select, sin_cos, sin_cos_degrees, sin_cos_quarter};
+use crate::math::{
+    DoubleWord, atan2, atan2_degrees, either, hypot, max, select, sin_cos, sin_cos_degrees, sin_cos_quarter,
+};
 use crate::{LatLon, Real};
 
 /// An angle by its sine and cosine.

@@ -43,9 +43,9 @@ methods! {
     flat::Flat |e| Flat::new(e);
     gauss::Gauss |e| Gauss::new(e);
     great_circle::GreatCircle |e| Ok(GreatCircle::mean(e));
-    andoyer::Andoyer |e| Andoyer::new(e);
-    bowring::Bowring |e| Bowring::new(e);
     haversine::Haversine |e| Ok(Haversine::mean(e));
+    bowring::Bowring |e| Bowring::new(e);
+    andoyer::Andoyer |e| Andoyer::new(e);
     karney::Karney |e| Karney::new(e);
     andoyer_second::AndoyerSecond |e| AndoyerSecond::new(e);
     vincenty::Vincenty |e| Vincenty::new(e);

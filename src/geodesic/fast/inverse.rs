@@ -4,7 +4,6 @@
 //! Most places take a fixed number of steps. Nearly antipodal ones, seen from the antipode so that no digit
 //! is lost, take steps until they settle; so do the few that the fixed number was not enough for.
 
-
 use super::{Pair, Solver, Trial};
 use crate::geodesic::Inverse;
 use crate::geodesic::series::short::{a1_less_1, c1_between, waves};
