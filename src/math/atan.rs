@@ -15,13 +15,15 @@ pub fn atan<T: Real>(x: T) -> T {
     radians(x, T::ONE)
 }
 
-/// [`atan`] of a number that is far from the largest.
+/// The angle from the x axis to the point (x, y) in radians, for |y| ≤ x and x far from the ends of the scalar's
+/// range, with the error of [`atan2`].
 #[inline(always)]
-pub(crate) fn atan_moderate<T: Real>(x: T) -> T {
+pub(crate) fn atan2_eighth<T: Real>(y: T, x: T) -> T {
     if cfg!(small) {
-        return atan(x);
+        return atan2(y, x);
     }
-    Reduced::of_moderate(x, T::ONE).radians().copysign(x)
+    let (high, small) = Reduced::of(x, y.abs(), false, T::ONE).base_and_rest();
+    (high + small).copysign(y)
 }
 
 /// Returns the angle from the x axis to the point (x, y) in radians, in [−π, π].
@@ -179,18 +181,32 @@ impl<T: Real> Reduced<T> {
         self.beyond[0] * second + self.beyond[1] * (third - second)
     }
 
-    /// The angle from the x axis to the point in radians, in [0, π].
+    /// The base angle and the rest in radians.
     #[inline(always)]
-    fn radians(self) -> T {
-        let eighth = T::pick(core::f64::consts::FRAC_PI_4, core::f32::consts::FRAC_PI_4);
-        let eighth_low = T::pick(3.061_616_997_868_383e-17, -2.185_569_4e-8);
+    fn base_and_rest(&self) -> (T, T) {
+        let [eighth, eighth_low] = Self::eighth();
         let high = self.base(T::pick(0.463_647_609_000_806_1, 0.463_647_6), eighth);
         let low = self.base(T::pick(2.269_877_745_296_168_7e-17, 5.012_158_7e-9), eighth_low);
         let r = self.tangent;
         let z = r * r;
-        let small = r + (r * z * z.polynomial(&ATAN) + (self.lost + low));
+        (high, r + (r * z * z.polynomial(&ATAN) + (self.lost + low)))
+    }
+
+    /// π/4 and its rounding error.
+    #[inline(always)]
+    fn eighth() -> [T; 2] {
+        [
+            T::pick(core::f64::consts::FRAC_PI_4, core::f32::consts::FRAC_PI_4),
+            T::pick(3.061_616_997_868_383e-17, -2.185_569_4e-8),
+        ]
+    }
+
+    /// The angle from the x axis to the point in radians, in [0, π].
+    #[inline(always)]
+    fn radians(self) -> T {
+        let [eighth, eighth_low] = Self::eighth();
         let two = T::of(2.0);
-        self.opened((high, small), (two * eighth, two * eighth_low))
+        self.opened(self.base_and_rest(), (two * eighth, two * eighth_low))
     }
 
     /// The base angle and the rest in degrees.

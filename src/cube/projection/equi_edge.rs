@@ -21,7 +21,7 @@ projection! {
         aspect_ratio: 1.125,
         oversize: 2.000,
         deformation: 31.1,
-        forward: Trigonometric, error [3.4e-16, 1.8e-7], instructions [200, 180];
+        forward: Trigonometric, error [3.4e-16, 1.8e-7], instructions [190, 180];
         inverse: Trigonometric, error [3.3e-16, 1.8e-7], instructions [93, 68];
         tiles: smooth(0.97, 1.02),
     }

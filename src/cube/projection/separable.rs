@@ -19,7 +19,7 @@ projection! {
         aspect_ratio: 1.587,
         oversize: 1.587,
         deformation: 31.1,
-        forward: Trigonometric, error [3.0e-16, 1.6e-7], instructions [200, 180];
+        forward: Trigonometric, error [3.0e-16, 1.6e-7], instructions [190, 180];
         inverse: Trigonometric, error [3.1e-16, 1.7e-7], instructions [93, 68];
         tiles: smooth(0.86, 1.15),
     }
