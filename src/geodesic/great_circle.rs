@@ -1,7 +1,9 @@
 use super::angle::{heading, latitude_difference, longitude_difference, off_pole, turns_once, wrapped};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
-use crate::math::{DoubleWord, atan2, atan2_degrees, hypot, hypot_of_sines, octant_radians, select, sin_cos, sin_cos_degrees};
+use crate::math::{
+    DoubleWord, atan2, atan2_degrees, hypot, hypot_of_sines, octant_radians, select, sin_cos, sin_cos_degrees,
+};
 use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
 profile! {
