@@ -1,5 +1,5 @@
 use super::minimax::ATAN;
-use super::{either, halves, max, min, mirrored, negated, select};
+use super::{descent, either, halves, max, min, select};
 use crate::Real;
 
 /// Returns the arc tangent of `x` in radians, in [−π/2, π/2].
@@ -65,7 +65,7 @@ pub(crate) fn turned_degrees<T: Real>(y: T, x: T, turn: T) -> T {
     let reduced = Reduced::of_moderate(y, x);
     let (high, small) = reduced.degrees();
     let turn = T::of(180.0 / core::f64::consts::PI) * turn;
-    let small = small + select(reduced.steep, -turn, turn);
+    let small = small + reduced.flat * turn;
     reduced.opened((high, small), (T::of(90.0), T::ZERO)).copysign(y)
 }
 
@@ -86,9 +86,12 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
         T::coefficient(&ATAN, i)
     });
     let rest = tangent + tangent * z * curve;
-    let (steep, back) = (y > width, x < T::ZERO);
-    let eighths = mirrored(back, T::of(4.0), mirrored(steep, T::of(2.0), middle));
-    (eighths, negated(steep != back, rest))
+    let (flat, front) = (descent(y, width), descent(T::ZERO, x));
+    // From the diagonal, from the other axis.
+    let eighths = (T::ONE - flat) + flat * middle;
+    let two = T::of(2.0);
+    let eighths = (two - two * front) + front * eighths;
+    (eighths, flat * front * rest)
 }
 
 /// The same angle in radians, as a sum of two numbers.
@@ -111,8 +114,8 @@ fn radians<T: Real>(y: T, x: T) -> T {
 /// An angle between an axis and a diagonal, as the sum of a base angle, whose tangent is 0, ½ or 1, and a
 /// remainder, whose tangent is at most 7/16 in size: fdlibm's reduction, with one division for all.
 struct Reduced<T> {
-    /// Whether the angle is from the y axis.
-    steep: bool,
+    /// −1 if the angle is from the y axis, otherwise 1.
+    flat: T,
     /// 1 or −1, the sign of x.
     side: T,
     /// 1 or 0: whether the base angle is at least the second, and the third. A factor of 0 or 1 chooses
@@ -138,7 +141,7 @@ impl<T: Real> Reduced<T> {
             grow,
             select(larger > T::pick(1e200, 1e20), shrink, T::ONE),
         );
-        Self::of(larger * scale, smaller * scale, y > x, side)
+        Self::of(larger * scale, smaller * scale, descent(y, x), side)
     }
 
     /// For coordinates of which the larger is far from the ends of the scalar's range.
@@ -146,11 +149,11 @@ impl<T: Real> Reduced<T> {
     fn of_moderate(y: T, x: T) -> Self {
         let side = T::ONE.copysign(x);
         let (y, x) = (y.abs(), x.abs());
-        Self::of(max(x, y), min(y, x), y > x, side)
+        Self::of(max(x, y), min(y, x), descent(y, x), side)
     }
 
     #[inline(always)]
-    fn of(larger: T, smaller: T, steep: bool, side: T) -> Self {
+    fn of(larger: T, smaller: T, flat: T, side: T) -> Self {
         let beyond = [
             either(smaller > larger * T::of(7.0 / 16.0), T::ONE),
             either(smaller > larger * T::of(11.0 / 16.0), T::ONE),
@@ -166,7 +169,7 @@ impl<T: Real> Reduced<T> {
         let product = tangent * denominator;
         let rounding = ((th * dh - product) + th * dl + tl * dh) + tl * dl;
         Self {
-            steep,
+            flat,
             side,
             beyond,
             tangent,
@@ -228,9 +231,9 @@ impl<T: Real> Reduced<T> {
     /// The angle from the x axis to the point, in [0, π]; rounded once.
     #[inline(always)]
     fn opened(&self, (high, small): (T, T), (quarter, quarter_low): (T, T)) -> T {
-        let sign = select(self.steep, -T::ONE, T::ONE) * self.side;
+        let sign = self.flat * self.side;
         // From 0, a quarter or half of the circle.
-        let quarters = T::ONE - either(!self.steep, self.side);
+        let quarters = T::ONE - T::of(0.5) * (self.side + sign);
         let from = quarter * quarters;
         let signed = sign * high;
         let angle = from + signed;
