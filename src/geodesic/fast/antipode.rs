@@ -7,26 +7,23 @@ use core::f64::consts::PI;
 
 use super::{Pair, Solver};
 use crate::Real;
-use crate::math::max;
+use crate::math::{either, max, select};
 
 impl<T: Real> Solver<T> {
     /// Between latitudes exactly opposite and up to the λ₁₂ at which its azimuth is 90°, the line leaves the
     /// antipode to the north or to the south, and ω₁₂, then 0, says nothing of the azimuth: there the rise is
-    /// made far less than its rounding. Beyond, ω₁₂ is no less than its own.
+    /// made far less than its rounding. Beyond, ω₁₂ is no less than its own. Other pairs stay as they are.
     #[inline(always)]
     pub(super) fn leave_antipode(&self, pair: &mut Pair<T>) {
-        if pair.rise.abs() > T::EPSILON {
-            return;
-        }
+        let level = pair.is_level();
         let cos2_alpha0 = pair.beta1.sin * pair.beta1.sin;
         let epsilon = cos2_alpha0 * self.series.epsilon_by_cos2(cos2_alpha0);
         let turn = T::of(PI) * self.f * pair.beta1.cos * self.series.a3(epsilon);
         let nothing = T::EPSILON * T::EPSILON;
-        if pair.supplement() - turn > nothing {
-            pair.least_omega = T::of(8.0) * T::EPSILON * self.f.abs();
-        } else {
-            pair.rise = max(pair.rise.abs(), nothing).copysign(pair.rise);
-        }
+        let beyond = pair.supplement() - turn > nothing;
+        pair.least_omega = either(level & beyond, T::of(8.0) * T::EPSILON * self.f.abs());
+        let leaves = max(pair.rise.abs(), nothing).copysign(pair.rise);
+        pair.rise = select(level & !beyond, leaves, pair.rise);
     }
 
     /// ω₁₂ but for a hundredth, from λ₁₂ = ω₁₂ + π f sin α₀ with the triangle taken as flat; on a prolate

@@ -101,7 +101,9 @@ impl<T: Real> Solver<T> {
             if pair.phi2.abs() == T::of(90.0) {
                 return None;
             }
-            self.leave_antipode(&mut pair);
+            if pair.is_level() {
+                self.leave_antipode(&mut pair);
+            }
         }
         let outcome = self.newton(&pair, STEPS);
         outcome.found.then_some(outcome)
@@ -225,13 +227,14 @@ impl<T: Real> Solver<T> {
     }
 
     /// The inverse problem between nearly antipodal places without a branch, and whether the answer is that
-    /// of [`inverse`](Self::inverse): not if it takes more steps than most, nor between opposite latitudes.
+    /// of [`inverse`](Self::inverse): not if it takes more steps than most.
     #[inline(always)]
     pub fn far_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
         let mut pair = Pair::new(self.axes, from, to);
         let antipodal = pair.nearly_antipodal();
         pair.see(true);
-        let usual = antipodal & (pair.rise.abs() > T::EPSILON) & (pair.phi2.abs() != T::of(90.0));
+        self.leave_antipode(&mut pair);
+        let usual = antipodal & (pair.phi2.abs() != T::of(90.0));
         let rest = pair.supplement();
         let mut growth = self.omega_of_flat_triangle(&pair, rest);
         let mut trial = pair.grown(growth);

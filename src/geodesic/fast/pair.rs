@@ -98,6 +98,12 @@ impl<T: Real> Pair<T> {
         (self.lambda12 >= T::of(90.0)) & (cos_sigma12 < T::of(-0.985))
     }
 
+    /// Whether, seen as it is, the second place is neither north nor south of the first.
+    #[inline(always)]
+    pub(super) fn is_level(&self) -> bool {
+        self.rise.abs() <= T::EPSILON
+    }
+
     /// π − λ₁₂.
     #[inline(always)]
     pub fn supplement(&self) -> T {
