@@ -8,8 +8,16 @@ use crate::Real;
 /// enough for a small stack.
 pub(crate) const BLOCK: usize = 64;
 
+/// The number of values in the widest vector, if they are numbers; else any.
+const fn width<V>() -> usize {
+    if size_of::<V>() == 8 { 8 } else { 16 }
+}
+
 /// Columns to read: arrays of slices, pairs of columns.
 pub(crate) trait Source: Copy {
+    /// The number of rows that fill the widest vector: at most [`BLOCK`], a power of two.
+    const WIDTH: usize = 16;
+
     /// One element of each column.
     type Row: Copy;
     /// A block of rows, as columns.
@@ -108,6 +116,7 @@ macro_rules! whole_numbers {
 whole_numbers! { u8 u32 u64 }
 
 impl<V: Copy + Default, const N: usize> Source for [&[V]; N] {
+    const WIDTH: usize = width::<V>();
     type Row = [V; N];
     type Spare = [[V; BLOCK]; N];
     type Block<'a>
@@ -230,6 +239,7 @@ impl<R> Same<R> {
 }
 
 impl<V: Copy + Default, const N: usize> Source for Same<[V; N]> {
+    const WIDTH: usize = width::<V>();
     type Row = [V; N];
     type Spare = [V; N];
     type Block<'a>
@@ -288,6 +298,7 @@ impl<V: Copy + Default, const N: usize> Source for Same<[V; N]> {
 }
 
 impl<A: Source, B: Source> Source for (A, B) {
+    const WIDTH: usize = if A::WIDTH < B::WIDTH { A::WIDTH } else { B::WIDTH };
     type Row = (A::Row, B::Row);
     type Spare = (A::Spare, B::Spare);
     type Block<'a>

@@ -13,6 +13,9 @@ pub(crate) const CHUNK: usize = 4 * BLOCK;
 /// has a second body for what is left.
 const LANES: usize = if cfg!(lanes) { 16 } else { 1 };
 
+/// With fewer rows of a block that were not found, [`Element::second`] does not pay.
+const PAIR: usize = 2;
+
 /// With fewer elements the lanes do not pay.
 pub(crate) const FEW: usize = 4;
 
@@ -289,7 +292,7 @@ fn complete<'a, K, S, D>(
             count += 1;
         }
     }
-    if count >= FEW {
+    if count >= PAIR {
         let (second, well) = dispatch(Second::<K, S, D> {
             kernel: *kernel,
             spare,
@@ -332,7 +335,9 @@ where
     #[inline(always)]
     fn run(self) -> Self::Output {
         let (mut results, mut found, spare) = (D::block(), [false; BLOCK], self.spare);
-        let count = self.count.div_ceil(LANES).min(BLOCK / LANES) * LANES;
+        // They are few: one vector will do.
+        let width = if cfg!(lanes) { S::WIDTH } else { 1 };
+        let count = self.count.div_ceil(width).min(BLOCK / width) * width;
         for i in 0..count {
             let (row, fast) = self.kernel.second(S::row(S::block(&spare), i));
             D::put(&mut results, i, row);
