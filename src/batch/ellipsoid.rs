@@ -5,7 +5,7 @@ use core::fmt;
 use super::InvalidBatch;
 use super::engine::{solve, solve_by};
 use crate::simd::{Behind, Door, Element, Kernel, lanes};
-use crate::{Ecef, Ellipsoid, Geodetic, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon, Real};
+use crate::{Ecef, Ellipsoid, Geodetic, GeodeticSeries, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon, Real};
 
 /// Why an element with a latitude, a longitude and a height was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,6 +109,32 @@ impl<T: Real> Element<[T; 3]> for ToGeodetic<T> {
     }
 }
 
+/// A series; where it does not hold, points are computed one by one.
+#[derive(Clone, Copy)]
+struct Series<T, const ORDER: usize>(GeodeticSeries<T>);
+
+impl<T: Real, const ORDER: usize> Element<[T; 3]> for Series<T, ORDER> {
+    type Output = [T; 3];
+    type Error = InvalidEcef<T>;
+
+    #[inline(always)]
+    fn keeps(&self, point: [T; 3]) -> bool {
+        Points.keeps(point)
+    }
+
+    #[inline(always)]
+    fn fast(&self, [x, y, z]: [T; 3]) -> ([T; 3], bool) {
+        let point = Ecef::within(x, y, z);
+        let place = self.0.series::<ORDER>(point);
+        ([place.lat(), place.lon(), place.height()], self.0.holds(point))
+    }
+
+    fn one(&self, [x, y, z]: [T; 3]) -> Result<[T; 3], InvalidEcef<T>> {
+        let place = self.0.convert::<ORDER>(Ecef::new(x, y, z)?);
+        Ok([place.lat(), place.lon(), place.height()])
+    }
+}
+
 /// Converts geodetic latitudes and longitudes in degrees and heights in metres to Earth-centred coordinates
 /// in metres, with the bits of [`Ellipsoid::to_ecef`].
 ///
@@ -165,4 +191,58 @@ pub fn to_geodetic<T: Real>(
     places: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidEcef<T>>> {
     solve(ToGeodetic(ellipsoid), points, places)
+}
+
+/// Converts Earth-centred coordinates in metres to geodetic latitudes and longitudes in degrees and heights
+/// in metres, with the bits of [`GeodeticSeries::second_order`]: within 0.4 m on the Earth, from −0.5 km to
+/// 100 km of height.
+///
+/// Points for which the series do not hold are converted by [`Ellipsoid::to_geodetic`], one by one.
+///
+/// # Errors
+/// Those of [`to_geodetic`].
+///
+/// ```
+/// use terrella::{Ellipsoid, GeodeticSeries, batch::ellipsoid};
+/// let series = GeodeticSeries::new(Ellipsoid::WGS84);
+/// let (mut lat, mut lon, mut height) = ([0.0_f64; 2], [0.0; 2], [0.0; 2]);
+/// let points: [&[f64]; 3] = [&[3_980_609.2, 0.0], &[-102.5, 7e6], &[4_966_860.0, 0.0]];
+/// ellipsoid::second_order(series, points, [&mut lat, &mut lon, &mut height])?;
+/// assert!((lat[0] - 51.477_81).abs() < 1e-5 && (height[0] - 45.0).abs() < 1.0);
+/// assert_eq!((lat[1], lon[1], height[1]), (0.0, 90.0, 621_863.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[doc(alias = "ecef2geodetic", alias = "ecef2lla")]
+pub fn second_order<T: Real>(
+    series: GeodeticSeries<T>,
+    points: [&[T]; 3],
+    places: [&mut [T]; 3],
+) -> Result<(), InvalidBatch<InvalidEcef<T>>> {
+    solve(Series::<T, 2>(series), points, places)
+}
+
+/// As [`second_order`], with the bits of [`GeodeticSeries::third_order`]: within 2.5 mm.
+///
+/// # Errors
+/// Those of [`to_geodetic`].
+#[doc(alias = "ecef2geodetic", alias = "ecef2lla")]
+pub fn third_order<T: Real>(
+    series: GeodeticSeries<T>,
+    points: [&[T]; 3],
+    places: [&mut [T]; 3],
+) -> Result<(), InvalidBatch<InvalidEcef<T>>> {
+    solve(Series::<T, 3>(series), points, places)
+}
+
+/// As [`second_order`], with the bits of [`GeodeticSeries::fourth_order`]: within 0.1 µm.
+///
+/// # Errors
+/// Those of [`to_geodetic`].
+#[doc(alias = "ecef2geodetic", alias = "ecef2lla")]
+pub fn fourth_order<T: Real>(
+    series: GeodeticSeries<T>,
+    points: [&[T]; 3],
+    places: [&mut [T]; 3],
+) -> Result<(), InvalidBatch<InvalidEcef<T>>> {
+    solve(Series::<T, 4>(series), points, places)
 }

@@ -21,6 +21,9 @@ use crate::{Ecef, Geodetic, LatLon, Real};
 /// of the Earth's radius), on the axis, or beyond squares of the scalar, and all points of ellipsoids with
 /// |f| > 1/150, are converted by [`Ellipsoid::to_geodetic`]: the series do not hold there.
 ///
+/// [`batch::ellipsoid`](crate::batch::ellipsoid) has the three orders over slices, and
+/// [`Scene::geodetics`](crate::scene::Scene::geodetics) says which is enough.
+///
 /// ```
 /// use terrella::{Ecef, Ellipsoid, GeodeticSeries};
 /// let series = GeodeticSeries::new(Ellipsoid::<f64>::WGS84);
@@ -65,17 +68,25 @@ impl<T: Real> GeodeticSeries<T> {
         self.convert::<4>(point)
     }
 
+    /// The conversion of an order.
     #[inline(always)]
-    fn convert<const ORDER: usize>(&self, point: Ecef<T>) -> Geodetic<T> {
-        if self.ellipsoid.is_ordinary(point) {
+    pub(crate) fn convert<const ORDER: usize>(&self, point: Ecef<T>) -> Geodetic<T> {
+        if self.holds(point) {
             self.series::<ORDER>(point)
         } else {
             self.ellipsoid.to_geodetic(point)
         }
     }
 
+    /// Whether the series hold for a point.
     #[inline(always)]
-    fn series<const ORDER: usize>(&self, point: Ecef<T>) -> Geodetic<T> {
+    pub(crate) fn holds(&self, point: Ecef<T>) -> bool {
+        self.ellipsoid.is_ordinary(point)
+    }
+
+    /// The series, for points for which they [hold](Self::holds).
+    #[inline(always)]
+    pub(crate) fn series<const ORDER: usize>(&self, point: Ecef<T>) -> Geodetic<T> {
         let [x, y, z] = point.to_array();
         let (a, e2) = (self.ellipsoid.a(), self.ellipsoid.e2());
         let (one, half) = (T::ONE, T::of(0.5));
