@@ -72,10 +72,15 @@ impl<T: Real> Bowring<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        nearly_round(ellipsoid).map(|ellipsoid| Self {
+        nearly_round(ellipsoid).map(Self::within)
+    }
+
+    /// For an ellipsoid known to be nearly round.
+    pub(crate) fn within(ellipsoid: Ellipsoid<T>) -> Self {
+        Self {
             c: ellipsoid.a() / (T::ONE - ellipsoid.f()),
             ep2: ellipsoid.ep2(),
-        })
+        }
     }
 
     #[inline(always)]

@@ -72,13 +72,17 @@ impl<T: Real> Gauss<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        let ellipsoid = nearly_round(ellipsoid)?;
-        Ok(Self {
+        nearly_round(ellipsoid).map(Self::within)
+    }
+
+    /// For an ellipsoid known to be nearly round.
+    pub(crate) fn within(ellipsoid: Ellipsoid<T>) -> Self {
+        Self {
             a: ellipsoid.a(),
             e2: ellipsoid.e2(),
             ep2: ellipsoid.ep2(),
-            bowring: Bowring::new(ellipsoid)?,
-        })
+            bowring: Bowring::within(ellipsoid),
+        }
     }
 }
 

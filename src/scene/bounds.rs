@@ -119,6 +119,19 @@ impl Models {
         1.25 / 24.0 * self.far * self.arc * self.arc * (0.26 + 1.13 * self.tan * self.tan)
     }
 
+    /// How far Gauss's distances, and the places that Bowring's direct problem finds, are off, in metres.
+    pub const fn gauss(&self) -> f64 {
+        let (f, u, t2) = (self.ellipsoid.f(), self.arc, self.tan * self.tan);
+        let steep = (0.0009 + 0.0037 * t2).max(0.000_53 * t2 * t2);
+        1.25 * self.far * u * u * (2.0 * f * f + 0.14 * f * u + u * u * steep)
+    }
+
+    /// How far Gauss's azimuths are off, in radians.
+    pub const fn gauss_turned(&self) -> f64 {
+        let (f, u, t2) = (self.ellipsoid.f(), self.arc, self.tan * self.tan);
+        1.25 * u * u * (0.24 * f * f + 0.045 * f * u + u * u * (0.0007 + 0.000_55 * t2 * t2))
+    }
+
     /// How far a scale that is a polynomial of latitude is off, relative.
     pub const fn bent(&self) -> f64 {
         let half = self.band.half;

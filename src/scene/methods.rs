@@ -3,7 +3,7 @@
 use super::bounds::Models;
 use super::{Distances, Scene};
 use crate::Real;
-use crate::geodesic::{Andoyer, AnyMethod, Flat, GreatCircle, Karney, Method, Plane};
+use crate::geodesic::{Andoyer, AnyMethod, Flat, Gauss, GreatCircle, Karney, Method, Plane};
 
 const PI: f64 = core::f64::consts::PI;
 
@@ -26,9 +26,10 @@ macro_rules! methods {
             /// [`Haversine`](crate::geodesic::Haversine), [`Bowring`](crate::geodesic::Bowring),
             /// [`AndoyerSecond`](crate::geodesic::AndoyerSecond) and [`Vincenty`](crate::geodesic::Vincenty)
             /// are not among them: each takes more instructions than a method with a smaller error, and
-            /// [`Vincenty`] does not answer everywhere. [`Gauss`](crate::geodesic::Gauss) has no bound yet.
+            /// [`Vincenty`] does not answer everywhere. The bound of [`Gauss`] is that of its direct problem,
+            /// which is [`Bowring`](crate::geodesic::Bowring)'s; distances are nearer.
             ///
-            /// Let s be a distance, σ = s/b, x = max(0, 2σ/π − 1), r = a(1 − f)², δ the half width of the
+            /// Let s be a distance, σ = s/b, x = max(0, 2σ/π − 1), r = a(1 − f)², u = s/r, δ the half width of the
             /// band of latitudes in radians, φ its latitude farthest from the equator and φ₀ the nearest. Let
             /// t = tan φ and ε = 1.1 δ³/6 (t + 6e² + δ/4). M is the radius of curvature in the meridian at
             /// φ₀, and N is that across it at φ + s/2r; the sphere of [`GreatCircle`] has the radius (M +
@@ -162,6 +163,15 @@ methods! {
         rounding: [2e-15 * m.far, 7e-7 * m.far],
         across: 0.0,
         solver: Flat::within(ellipsoid),
+    }
+    /// | [`Gauss`] | 1.25 s u² (2f² + 0.14 f u + u² max(0.0009 + 0.0037 t², 0.00053 t⁴)) | 1.25 u² (0.24 f² + 0.045 f u + u² (0.0007 + 0.00055 t⁴)) | as [`Flat`] |
+    Gauss |m, way, ellipsoid| {
+        holds: !m.local && m.flat_holds(),
+        distance: m.gauss(),
+        azimuth: m.gauss_turned(),
+        rounding: [2e-15 * m.far, 7e-7 * m.far],
+        across: 0.0,
+        solver: Gauss::within(ellipsoid),
     }
     /// | [`GreatCircle`] | s (N − M)/(2M) | 1.2 f cos²φ₀ (1 + 1.45 x²/(π − σ)) | |
     GreatCircle |m, way, ellipsoid| {

@@ -1,7 +1,9 @@
 //! A scene makes what it has chosen without the checks of the public constructors: those of the scene imply them.
 
 use fastrand::Rng;
-use terrella::geodesic::{Andoyer, AnyMethod, Area, Flat, Geodesic, GreatCircle, Karney, Method, PlanarArea, Plane};
+use terrella::geodesic::{
+    Andoyer, AnyMethod, Area, Flat, Gauss, Geodesic, GreatCircle, Karney, Method, PlanarArea, Plane,
+};
 use terrella::latitude::Shift;
 use terrella::scene::{AnyArea, Figure, Scene, Surface};
 use terrella::{Ellipsoid, LatLon, Real, Shifted};
@@ -25,6 +27,7 @@ fn hold<T: Real>(seed: u64) {
                 AnyMethod::Plane(_) if local => AnyMethod::Plane(Plane::local(ellipsoid, place).unwrap()),
                 AnyMethod::Plane(_) => AnyMethod::Plane(Plane::new(ellipsoid, place).unwrap()),
                 AnyMethod::Flat(_) => AnyMethod::Flat(Flat::new(ellipsoid).unwrap()),
+                AnyMethod::Gauss(_) => AnyMethod::Gauss(Gauss::new(ellipsoid).unwrap()),
                 AnyMethod::GreatCircle(sphere) => AnyMethod::GreatCircle(GreatCircle::new(sphere.radius()).unwrap()),
                 AnyMethod::Andoyer(_) => AnyMethod::Andoyer(Andoyer::new(ellipsoid).unwrap()),
                 AnyMethod::Karney(_) => AnyMethod::Karney(Karney::new(ellipsoid).unwrap()),
