@@ -13,6 +13,9 @@
 //! | [`latitude::radians`] | [`Conversion::radians`](crate::latitude::Conversion::radians) |
 //! | [`ellipsoid::to_ecef`] | [`Ellipsoid::to_ecef`](crate::Ellipsoid::to_ecef) |
 //! | [`ellipsoid::to_geodetic`] | [`Ellipsoid::to_geodetic`](crate::Ellipsoid::to_geodetic) |
+//! | [`ellipsoid::second_order`] | [`GeodeticSeries::second_order`](crate::GeodeticSeries::second_order) |
+//! | [`ellipsoid::third_order`] | [`GeodeticSeries::third_order`](crate::GeodeticSeries::third_order) |
+//! | [`ellipsoid::fourth_order`] | [`GeodeticSeries::fourth_order`](crate::GeodeticSeries::fourth_order) |
 //! | [`frame::to_enu`] | [`LocalFrame::to_enu`](crate::LocalFrame::to_enu) |
 //! | [`frame::to_ned`] | [`LocalFrame::to_ned`](crate::LocalFrame::to_ned) |
 //! | [`frame::to_aer`] | [`LocalFrame::to_aer`](crate::LocalFrame::to_aer) |
@@ -49,6 +52,7 @@
 //! | [`terrain::sample_directions`] | the same, as unit vectors |
 //! | [`scene::inverse`], [`scene::direct`] | [`AnyMethod`](crate::geodesic::AnyMethod) of a scene |
 //! | [`scene::enu`] | [`AnyView::enu`](crate::scene::AnyView::enu) |
+//! | [`scene::to_geodetic`] | [`AnyOrder::to_geodetic`](crate::scene::AnyOrder::to_geodetic) |
 //! | [`scene::areas`] | [`AnyArea::area`](crate::scene::AnyArea::area) |
 //!
 //! Every element passes the constructor of its type, as in `LatLon::new(lat, lon)`: longitudes are brought

@@ -6,14 +6,14 @@
 
 use super::InvalidBatch;
 use super::area::{InvalidRing, fields, polygon_areas};
-use super::ellipsoid::{Geodetics, InvalidGeodetic};
+use super::ellipsoid::{self, Geodetics, InvalidGeodetic};
 use super::engine::solve_by;
 use super::frame::geodetic_to_enu;
 use super::geodesic::{self, InvalidProblem};
 use crate::geodesic::{AnyMethod, Geodesic, Visitor};
-use crate::scene::{AnyArea, AnyView, Expansion};
+use crate::scene::{AnyArea, AnyOrder, AnyView, Expansion};
 use crate::simd::{Behind, Door, Kernel, lanes};
-use crate::{Enu, Geodetic, LatLon, Real};
+use crate::{Enu, Geodetic, InvalidEcef, LatLon, Real};
 
 type Inverted<T> = Result<(), InvalidBatch<InvalidProblem<T>>>;
 
@@ -171,6 +171,38 @@ fn expand<T: Real, K: Kernel<[T; 3], Output = [T; 3]> + Copy>(
         |position| Geodetics.admit(position).map(|position| kernel.apply(position)),
         |positions, enu, tally| lanes(Behind(Geodetics, kernel), positions, enu, tally),
     )
+}
+
+/// Converts Earth-centred coordinates in metres to geodetic latitudes and longitudes in degrees and heights
+/// in metres by what [`Geodetics::solver`](crate::scene::Geodetics::solver) returns, with the bits of
+/// [`AnyOrder::to_geodetic`].
+///
+/// # Errors
+/// Those of [`ellipsoid::to_geodetic`].
+///
+/// ```
+/// use terrella::scene::{Geodetics, Scene};
+/// use terrella::{Ellipsoid, batch::scene};
+/// let air = Scene::new(Ellipsoid::WGS84).heights(-500.0, 100_000.0).within(1.0);
+/// let fixes: Geodetics<f64> = air.geodetics()?;
+/// let (mut lat, mut lon, mut height) = ([0.0], [0.0], [0.0]);
+/// let points: [&[f64]; 3] = [&[3_980_609.2], &[-102.5], &[4_966_860.0]];
+/// scene::to_geodetic(fixes.solver(), points, [&mut lat, &mut lon, &mut height])?;
+/// assert!((lat[0] - 51.477_81).abs() < 1e-5 && (height[0] - 45.0).abs() < 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[inline(always)]
+pub fn to_geodetic<T: Real>(
+    order: AnyOrder<T>,
+    points: [&[T]; 3],
+    places: [&mut [T]; 3],
+) -> Result<(), InvalidBatch<InvalidEcef<T>>> {
+    match order {
+        AnyOrder::Second(series) => ellipsoid::second_order(series, points, places),
+        AnyOrder::Third(series) => ellipsoid::third_order(series, points, places),
+        AnyOrder::Fourth(series) => ellipsoid::fourth_order(series, points, places),
+        AnyOrder::Full(exact) => ellipsoid::to_geodetic(exact, points, places),
+    }
 }
 
 /// Measures rings by what [`Areas::solver`](crate::scene::Areas::solver) returns: areas in m², with the bits

@@ -8,6 +8,7 @@ mod cost;
 mod distances;
 mod draw;
 mod figure;
+mod geodetics;
 mod positions;
 mod refusals;
 mod search;

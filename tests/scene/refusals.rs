@@ -2,7 +2,7 @@ use fastrand::Rng;
 use terrella::Ellipsoid;
 use terrella::cube::Projection;
 use terrella::geodesic::Method;
-use terrella::scene::{Scene, SceneError, Surface};
+use terrella::scene::{Order, Scene, SceneError, Surface};
 
 fn earth() -> Scene {
     Scene::new(Ellipsoid::WGS84)
@@ -15,6 +15,8 @@ fn refused(scene: Scene) -> SceneError {
     let same = |other: SceneError| assert_eq!(format!("{other:?}"), format!("{error:?}"));
     same(scene.distances::<f32>().unwrap_err());
     same(scene.positions::<f64>().unwrap_err());
+    same(scene.geodetics::<f64>().unwrap_err());
+    same(scene.geodetics_by::<f32>(Order::Full).unwrap_err());
     same(scene.areas::<f64>().unwrap_err());
     same(scene.areas_by::<f32>(Surface::Plane).unwrap_err());
     same(scene.distances_by::<f64>(Method::Karney).unwrap_err());
@@ -130,6 +132,10 @@ fn any_bits_are_answered() {
         }
         if let Ok(positions) = scene.positions::<f32>() {
             assert!(positions.bound() >= 0.0);
+        }
+        if let Ok(geodetics) = scene.geodetics::<f32>() {
+            assert!(geodetics.bound() >= 0.0);
+            let _ = geodetics.solver();
         }
         if let Ok(areas) = scene.areas::<f32>() {
             assert!(areas.bound() >= 0.0);
