@@ -6,8 +6,8 @@ use terrella::batch::{
 use terrella::cube::{CubeMap, Face, Projection};
 use terrella::geodesic::{Area, Geodesic, Karney, Method, PlanarArea, Vincenty};
 use terrella::latitude::Conversion;
-use terrella::scene::{Scene, Surface, View};
-use terrella::{Ellipsoid, Latitude, LocalFrame, Shift, Shifted};
+use terrella::scene::{Order, Scene, Surface, View};
+use terrella::{Ellipsoid, GeodeticSeries, Latitude, LocalFrame, Shift, Shifted};
 
 use crate::{Arguments, Bits, Function, Hash, POINTS, Scalar, Visitor};
 
@@ -94,6 +94,16 @@ fn positions<T: Scalar, V: Visitor>(visitor: &mut V) {
     let points = |arguments: &mut Arguments| columns(arguments, [T::of(6.5e6); 3]);
     visitor.visit::<T, _, _>(function("batch::ellipsoid::to_geodetic", ""), points, |points| {
         into(|places| batch::ellipsoid::to_geodetic(earth, lent(&points), places))
+    });
+    let series = GeodeticSeries::new(earth);
+    visitor.visit::<T, _, _>(function("batch::ellipsoid::second_order", ""), points, |points| {
+        into(|places| batch::ellipsoid::second_order(series, lent(&points), places))
+    });
+    visitor.visit::<T, _, _>(function("batch::ellipsoid::third_order", ""), points, |points| {
+        into(|places| batch::ellipsoid::third_order(series, lent(&points), places))
+    });
+    visitor.visit::<T, _, _>(function("batch::ellipsoid::fourth_order", ""), points, |points| {
+        into(|places| batch::ellipsoid::fourth_order(series, lent(&points), places))
     });
     let refused = |arguments: &mut Arguments| {
         let [mut lat, lon] = places::<T>(arguments);
@@ -200,6 +210,15 @@ fn answers<T: Scalar, V: Visitor>(visitor: &mut V) {
                 into(|ends| batch::scene::direct(method, [&lat, &lon], &azimuth, &distance, ends))
             },
         );
+    }
+    for (order, name) in Order::ALL.into_iter().zip(["second", "third", "fourth", "full"]) {
+        let Ok(chosen) = scene.geodetics_by::<T>(order) else {
+            continue;
+        };
+        let points = |arguments: &mut Arguments| columns(arguments, [T::of(6.5e6); 3]);
+        visitor.visit::<T, _, _>(function("batch::scene::to_geodetic", name), points, |points| {
+            into(|places| batch::scene::to_geodetic(chosen.solver(), lent(&points), places))
+        });
     }
     for (surface, name) in Surface::ALL.into_iter().zip(["plane", "ellipsoid"]) {
         let Ok(chosen) = scene.areas_by::<T>(surface) else {

@@ -1,6 +1,8 @@
 use terrella::cube::Projection;
 use terrella::geodesic::{Geodesic, Method, Plane};
-use terrella::scene::{AnyArea, Areas, Distances, Expansion, Figure, Positions, Scene, Surface, View};
+use terrella::scene::{
+    AnyArea, AnyOrder, Areas, Distances, Expansion, Figure, Geodetics, Order, Positions, Scene, Surface, View,
+};
 use terrella::{Ellipsoid, Shift};
 
 use crate::{Arguments, Function, Scalar, Visitor};
@@ -136,6 +138,19 @@ fn questions<T: Scalar, V: Visitor>(visitor: &mut V) {
             let areas = Scene::areas_by::<T>(&scene, surface).ok()?;
             let method = Areas::solver(&areas);
             Some((taken, Areas::bound(&areas), AnyArea::area(&method, [a, b, c])))
+        },
+    );
+    visitor.visit::<f64, _, _>(
+        of("Scene, Earth-centred points"),
+        |arguments| (scene(arguments), arguments.below(4) as usize, arguments.ecef::<T>()),
+        |(scene, index, point)| {
+            let taken = Scene::geodetics::<T>(&scene)
+                .ok()
+                .map(|way| Geodetics::order(&way) as u8);
+            let order = Order::ALL.get(index).copied().unwrap_or(Order::Full);
+            let way = Scene::geodetics_by::<T>(&scene, order).ok()?;
+            let solver = Geodetics::solver(&way);
+            Some((taken, Geodetics::bound(&way), AnyOrder::to_geodetic(&solver, point)))
         },
     );
     visitor.visit::<f64, _, _>(

@@ -2,7 +2,7 @@
 
 use terrella::batch;
 use terrella::latitude::Conversion;
-use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, Latitude, Shift, Shifted};
+use terrella::{Direction, Ecef, Ellipsoid, Geodetic, GeodeticSeries, LatLon, Latitude, Shift, Shifted};
 
 use super::{ENDS, Scalar, compare, directions, numbers, places, scaled};
 
@@ -126,8 +126,41 @@ fn every_ecef<T: Scalar>() {
                 },
                 &|from, to| batch::ellipsoid::to_geodetic(ellipsoid, from, to).unwrap(),
             );
+            series(
+                ellipsoid,
+                &[11, 12, 13].map(|seed| scaled(&numbers(seed, special), 7e6)),
+            );
         }
     }
+}
+
+fn series<T: Scalar>(ellipsoid: Ellipsoid<T>, points: &[Vec<T>; 3]) {
+    let series = GeodeticSeries::new(ellipsoid);
+    let one = |convert: fn(&GeodeticSeries<T>, Ecef<T>) -> Geodetic<T>| {
+        move |[x, y, z]: [T; 3]| {
+            let place = convert(&series, Ecef::new(x, y, z).unwrap());
+            [place.lat(), place.lon(), place.height()]
+        }
+    };
+    compare(
+        "second_order",
+        points,
+        &one(GeodeticSeries::second_order),
+        &|from, to| {
+            batch::ellipsoid::second_order(series, from, to).unwrap();
+        },
+    );
+    compare("third_order", points, &one(GeodeticSeries::third_order), &|from, to| {
+        batch::ellipsoid::third_order(series, from, to).unwrap();
+    });
+    compare(
+        "fourth_order",
+        points,
+        &one(GeodeticSeries::fourth_order),
+        &|from, to| {
+            batch::ellipsoid::fourth_order(series, from, to).unwrap();
+        },
+    );
 }
 
 #[test]

@@ -2,8 +2,8 @@
 
 use terrella::batch;
 use terrella::geodesic::Geodesic;
-use terrella::scene::{Scene, View};
-use terrella::{Ellipsoid, Enu, Geodetic, LatLon};
+use terrella::scene::{Order, Scene, View};
+use terrella::{Ecef, Ellipsoid, Enu, Geodetic, LatLon};
 
 use super::{ENDS, Scalar, compare, numbers, pairs, places, scaled};
 
@@ -23,6 +23,18 @@ fn every_answer<T: Scalar>() {
                 [east, north, up]
             },
             &|from, to| batch::scene::enu(&view, from, to).unwrap(),
+        );
+    }
+    for order in Order::ALL {
+        let solver = scene.geodetics_by::<T>(order).unwrap().solver();
+        compare(
+            "to_geodetic",
+            &[11, 12, 13].map(|seed| scaled(&numbers(seed, ENDS), 7e6)),
+            &|[x, y, z]| {
+                let place = solver.to_geodetic(Ecef::new(x, y, z).unwrap());
+                [place.lat(), place.lon(), place.height()]
+            },
+            &|from, to| batch::scene::to_geodetic(solver, from, to).unwrap(),
         );
     }
     for &method in Scene::METHODS {
