@@ -86,7 +86,7 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
         T::coefficient(&ATAN, i)
     });
     let rest = tangent + tangent * z * curve;
-    let (flat, front) = (descent(y, width), descent(T::ZERO, x));
+    let (flat, front) = (descent(y, width), descent(T::ZERO, x + T::ZERO));
     // From the diagonal, from the other axis.
     let eighths = (T::ONE - flat) + flat * middle;
     let two = T::of(2.0);

@@ -96,8 +96,8 @@ pub(crate) fn mirrored<T: Real>(condition: bool, whole: T, x: T) -> T {
     either(condition, whole) + negated(condition, x)
 }
 
-/// −1 if a > b, otherwise 1: from the sign of the difference, and so without a branch on any machine. Where
-/// two angles are computed side by side, the compiler branches on a comparison.
+/// −1 if a > b, otherwise 1, where b is not −0: from the sign of the difference, and so without a branch on
+/// any machine. Where two angles are computed side by side, the compiler branches on a comparison.
 #[inline(always)]
 pub(crate) fn descent<T: Real>(a: T, b: T) -> T {
     if cfg!(small) {
