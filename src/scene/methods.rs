@@ -23,17 +23,18 @@ macro_rules! methods {
         impl Scene {
             /// The methods that [`Scene::distances`] chooses from, the cheapest first.
             ///
-            /// [`Haversine`](crate::geodesic::Haversine), [`Bowring`](crate::geodesic::Bowring),
-            /// [`AndoyerSecond`](crate::geodesic::AndoyerSecond) and [`Vincenty`](crate::geodesic::Vincenty)
-            /// are not among them: each takes more instructions than a method with a smaller error, and
-            /// [`Vincenty`] does not answer everywhere. The bound of [`Gauss`] is that of its direct problem,
-            /// which is [`Bowring`](crate::geodesic::Bowring)'s; distances are nearer.
+            /// [`Haversine`](crate::geodesic::Haversine), [`AndoyerSecond`](crate::geodesic::AndoyerSecond) and
+            /// [`Vincenty`](crate::geodesic::Vincenty) are not among them: each takes more instructions than a
+            /// method with a smaller error, and [`Vincenty`] does not answer everywhere. Nor is
+            /// [`Bowring`](crate::geodesic::Bowring), which takes nearly as many as [`Karney`]. The bound of
+            /// [`Gauss`] is that of its direct problem, which is Bowring's; its distances are nearer.
             ///
-            /// Let s be a distance, σ = s/b, x = max(0, 2σ/π − 1), r = a(1 − f)², u = s/r, δ the half width of the
-            /// band of latitudes in radians, φ its latitude farthest from the equator and φ₀ the nearest. Let
-            /// t = tan φ and ε = 1.1 δ³/6 (t + 6e² + δ/4). M is the radius of curvature in the meridian at
-            /// φ₀, and N is that across it at φ + s/2r; the sphere of [`GreatCircle`] has the radius (M +
-            /// N)/2. The errors of the methods are at most
+            /// Let s be a distance, σ = s/b, x = max(0, 2σ/π − 1), r = a(1 − f)², u = s/r, δ the half width of
+            /// the band of latitudes in radians, φ its latitude farthest from the equator and φ₀ the nearest.
+            /// Let t = tan φ, p = max(0.0009 + 0.0037 t², 0.00053 t⁴), q = 0.0007 + 0.00055 t⁴ and ε = 1.1
+            /// δ³/6 (t + 6e² + δ/4). M is the radius of curvature in the meridian at φ₀, and N is that across
+            /// it at φ + s/2r; the sphere of [`GreatCircle`] has the radius (M + N)/2. The errors of the methods
+            /// are at most
             ///
             /// | method | of a distance | of an azimuth | where |
             /// |---|---|---|---|
@@ -164,7 +165,7 @@ methods! {
         across: 0.0,
         solver: Flat::within(ellipsoid),
     }
-    /// | [`Gauss`] | 1.25 s u² (2f² + 0.14 f u + u² max(0.0009 + 0.0037 t², 0.00053 t⁴)) | 1.25 u² (0.24 f² + 0.045 f u + u² (0.0007 + 0.00055 t⁴)) | as [`Flat`] |
+    /// | [`Gauss`] | 1.25 s u² (2f² + 0.14 f u + p u²) | 1.25 u² (0.24 f² + 0.045 f u + q u²) | as [`Flat`] |
     Gauss |m, way, ellipsoid| {
         holds: !m.local && m.flat_holds(),
         distance: m.gauss(),

@@ -9,7 +9,7 @@
 //! | [`Scene::distances`] | the methods in [`Scene::METHODS`], from `Plane` to `Karney` |
 //! | [`Scene::areas`] | [`PlanarArea`](crate::geodesic::PlanarArea), [`Area`](crate::geodesic::Area) |
 //! | [`Scene::positions`] | [`Expansion`] of the first or second order, [`LocalFrame`](crate::LocalFrame) |
-//! | [`Scene::geodetics`] | [`GeodeticSeries`](crate::GeodeticSeries) of the second, third or fourth order, [`Ellipsoid::to_geodetic`] |
+//! | [`Scene::geodetics`] | orders of [`GeodeticSeries`](crate::GeodeticSeries), [`Ellipsoid::to_geodetic`] |
 //! | [`Scene::scalar`] | `f32`, `f32` about an origin, `f64` |
 //! | [`Scene::figure`] | a sphere without a shift, a sphere with one, the ellipsoid |
 //! | [`Scene::tiles`] | the level from which a tile is its four corners, or a series |
