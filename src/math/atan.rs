@@ -22,7 +22,7 @@ pub(crate) fn atan2_eighth<T: Real>(y: T, x: T) -> T {
     if cfg!(small) {
         return atan2(y, x);
     }
-    let (high, small) = Reduced::of(x, y.abs(), false, T::ONE).base_and_rest();
+    let (high, small) = Reduced::of(x, y.abs(), T::ONE, T::ONE).base_and_rest();
     (high + small).copysign(y)
 }
 
