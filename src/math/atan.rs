@@ -1,5 +1,5 @@
 use super::minimax::ATAN;
-use super::{descent, either, halves, max, min, select};
+use super::{descent, either, halves, max, min, mirrored, negated, select};
 use crate::Real;
 
 /// Returns the arc tangent of `x` in radians, in [−π/2, π/2].
@@ -86,12 +86,9 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
         T::coefficient(&ATAN, i)
     });
     let rest = tangent + tangent * z * curve;
-    let (flat, front) = (descent(y, width), descent(T::ZERO, x + T::ZERO));
-    // From the diagonal, from the other axis.
-    let eighths = (T::ONE - flat) + flat * middle;
-    let two = T::of(2.0);
-    let eighths = (two - two * front) + front * eighths;
-    (eighths, flat * front * rest)
+    let (steep, back) = (y > width, x < T::ZERO);
+    let eighths = mirrored(back, T::of(4.0), mirrored(steep, T::of(2.0), middle));
+    (eighths, negated(steep != back, rest))
 }
 
 /// The same angle in radians, as a sum of two numbers.
