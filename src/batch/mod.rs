@@ -35,6 +35,11 @@
 //! | [`geodesic::distance_from`], [`geodesic::distance_to`] | the same, from or to one place |
 //! | [`geodesic::legs`] | the same, from each place to the next |
 //! | [`geodesic::direct`] | [`Geodesic::direct`](crate::geodesic::Geodesic::direct) |
+//! | [`geodesic::direct_from`] | the same, from one place at one azimuth |
+//! | [`geodesic::along`] | [`Line::at`](crate::geodesic::Line::at) |
+//! | [`geodesic::intermediate`] | `intermediate` of [`GreatCircle`](crate::geodesic::GreatCircle), by any method |
+//! | [`geodesic::tracks`] | `along_track`, `cross_track` of [`GreatCircle`](crate::geodesic::GreatCircle) |
+//! | [`geodesic::leg_tracks`] | the same, beside each leg of a path |
 //! | [`cube::project`] | [`CubeProjection::project`](crate::cube::CubeProjection::project) |
 //! | [`cube::unproject`] | [`CubeProjection::unproject`](crate::cube::CubeProjection::unproject) |
 //! | [`map::project`] | [`CubeMap::project`](crate::cube::CubeMap::project) |

@@ -1,4 +1,4 @@
-//! Measures the areas of many rings, by [`Area`] or [`PlanarArea`].
+//! Measures the areas of many rings, by [`Area`](crate::geodesic::Area) or [`PlanarArea`].
 //!
 //! Rings are given as in GeoArrow: the latitudes and longitudes of all corners, ring after ring, and
 //! `offsets`, of which ring i has its corners from the i-th to before the next. There is one offset more than
@@ -9,8 +9,8 @@ use core::fmt;
 
 mod polygons;
 
-pub use polygons::polygons;
 pub(super) use polygons::polygon_areas;
+pub use polygons::polygons;
 
 use super::InvalidBatch;
 use super::position::Places;

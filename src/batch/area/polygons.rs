@@ -88,8 +88,14 @@ impl<T: Real, I: Iterator<Item = Ends<T>>> Queue<T, I> {
         }
         self.next = 0;
         let count = self.count;
-        let [lat1, lon1, lat2, lon2] = self.columns.each_ref().map(|column| column.get(..count).unwrap_or_default());
-        let rows = self.rows.each_mut().map(|column| column.get_mut(..count).unwrap_or_default());
+        let [lat1, lon1, lat2, lon2] = self
+            .columns
+            .each_ref()
+            .map(|column| column.get(..count).unwrap_or_default());
+        let rows = self
+            .rows
+            .each_mut()
+            .map(|column| column.get_mut(..count).unwrap_or_default());
         lanes(self.solver, ([lat1, lon1], [lat2, lon2]), rows, &mut Tally::new());
     }
 }
@@ -164,4 +170,3 @@ pub(in crate::batch) fn polygon_areas<T: Real, O: Copy + TryInto<usize>>(
 ) -> Result<(), InvalidBatch<InvalidRing<T>>> {
     sums(area, offsets, corners, [areas], |polygon| [polygon.area()])
 }
-

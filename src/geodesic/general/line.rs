@@ -13,6 +13,7 @@ use crate::{LatLon, Real};
 ///
 /// [`Karney::line`](crate::geodesic::Karney::line) makes one. What depends on the start alone is computed
 /// once: each further point costs less than a direct problem, and comes with reduced length and scales.
+/// [`batch::geodesic::along`](crate::batch::geodesic::along) takes many distances.
 ///
 /// ```
 /// use terrella::geodesic::Karney;
@@ -169,7 +170,10 @@ impl<T: Real> Line<T> {
             position: point.position,
             azimuth: point.azimuth,
         };
-        (end, few & !self.reverts_slowly() & (self.solver.integrals.order() <= terms))
+        (
+            end,
+            few & !self.reverts_slowly() & (self.solver.integrals.order() <= terms),
+        )
     }
 
     /// τ₁₂ and its unit in metres.
