@@ -5,7 +5,7 @@ use super::{InvalidRing, every, rings_of};
 use crate::batch::InvalidBatch;
 use crate::batch::position::Pairs;
 use crate::geodesic::{Area, Edge, Edges, PolygonArea};
-use crate::simd::{CHUNK, Door, Element, Tally, lanes};
+use crate::simd::{BLOCK, Door, Element, Tally, lanes};
 use crate::{InvalidLatLon, LatLon, Real};
 
 /// With fewer corners the lanes do not pay.
@@ -48,8 +48,8 @@ impl<T: Real> Element<Ends<T>> for Edges<T> {
 struct Queue<T, I> {
     solver: Edges<T>,
     ends: I,
-    columns: [[T; CHUNK]; 4],
-    rows: [[T; CHUNK]; 4],
+    columns: [[T; BLOCK]; 4],
+    rows: [[T; BLOCK]; 4],
     count: usize,
     next: usize,
 }
@@ -59,8 +59,8 @@ impl<T: Real, I: Iterator<Item = Ends<T>>> Queue<T, I> {
         Self {
             solver: Edges::new(area),
             ends,
-            columns: [[T::ZERO; CHUNK]; 4],
-            rows: [[T::ZERO; CHUNK]; 4],
+            columns: [[T::ZERO; BLOCK]; 4],
+            rows: [[T::ZERO; BLOCK]; 4],
             count: 0,
             next: 0,
         }

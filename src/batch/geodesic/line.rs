@@ -183,7 +183,7 @@ impl<T: Real> GeodesicTask<T> for Intermediates<'_, T> {
 /// let tenths: [f64; 9] = core::array::from_fn(|i| (i + 1) as f64 / 10.0);
 /// let (mut lat, mut lon) = ([0.0; 9], [0.0; 9]);
 /// geodesic::intermediate(&earth, london, sydney, &tenths, [&mut lat, &mut lon])?;
-/// assert_eq!((lat[4].round(), lon[4].round()), (27.0, 98.0));
+/// assert_eq!((lat[4].round(), lon[4].round()), (29.0, 105.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "waypoints", alias = "densify", alias = "npts", alias = "interpolate")]

@@ -17,8 +17,8 @@ pub(super) fn rings<T: Scalar>(bytes: &mut Bytes<'_>) {
         let last = offsets[offsets.len() - 1];
         let next = match size / 32 {
             7 => last.wrapping_sub(u32::from(size % 32)),
-            6 => last + 8 * u32::from(size % 32),
-            _ => last + u32::from(size % 8),
+            6 => last.wrapping_add(8 * u32::from(size % 32)),
+            _ => last.wrapping_add(u32::from(size % 8)),
         };
         offsets.push(next);
     }
