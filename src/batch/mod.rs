@@ -38,6 +38,11 @@
 //! | [`geodesic::distance_from`], [`geodesic::distance_to`] | the same, from or to one place |
 //! | [`geodesic::legs`] | the same, from each place to the next |
 //! | [`geodesic::direct`] | [`Geodesic::direct`](crate::geodesic::Geodesic::direct) |
+//! | [`geodesic::direct_from`] | the same, from one place at one azimuth |
+//! | [`geodesic::along`] | [`Line::at`](crate::geodesic::Line::at) |
+//! | [`geodesic::intermediate`] | `intermediate` of [`GreatCircle`](crate::geodesic::GreatCircle), by any method |
+//! | [`geodesic::tracks`] | `along_track`, `cross_track` of [`GreatCircle`](crate::geodesic::GreatCircle) |
+//! | [`geodesic::leg_tracks`] | the same, beside each leg of a path |
 //! | [`cube::project`] | [`CubeProjection::project`](crate::cube::CubeProjection::project) |
 //! | [`cube::unproject`] | [`CubeProjection::unproject`](crate::cube::CubeProjection::unproject) |
 //! | [`map::project`] | [`CubeMap::project`](crate::cube::CubeMap::project) |
@@ -81,8 +86,8 @@
 //! **Lengths.** Elements go through vectors in blocks of 64. The last ones are filled up to a multiple of 16,
 //! and fewer than 4 are computed one by one. On a machine without vectors (a microcontroller), and in a
 //! program that is compiled for size, a batch is a loop over the function that takes one element: it takes
-//! that function's stack and flash. With vectors, a call takes up to 36 kB of stack in `f64` (measured with
-//! AVX-512, for geodesics, maps and Earth-centred coordinates).
+//! that function's stack and flash. With vectors, a call takes up to 44 kB of stack in `f64` (measured with
+//! AVX-512, for rings of geodesics; 36 kB for geodesics, maps and Earth-centred coordinates).
 //!
 //! On x86-64 with the feature `std`, batches use AVX-512 or AVX2 if the machine has them. Elsewhere they use
 //! the instructions that the crate is compiled for (SSE2, NEON, wasm's `simd128`).

@@ -29,6 +29,28 @@ impl<T: Real> Door<[T; 2]> for Places {
     }
 }
 
+/// Two places each.
+#[derive(Clone, Copy)]
+pub(super) struct Pairs;
+
+impl<T: Real> Door<([T; 2], [T; 2])> for Pairs {
+    type Error = InvalidLatLon<T>;
+
+    #[inline(always)]
+    fn keeps(&self, (from, to): ([T; 2], [T; 2])) -> bool {
+        Places.keeps(from) & Places.keeps(to)
+    }
+
+    #[inline(always)]
+    fn mend(&self, (from, to): ([T; 2], [T; 2])) -> ([T; 2], [T; 2]) {
+        (Places.mend(from), Places.mend(to))
+    }
+
+    fn admit(&self, (from, to): ([T; 2], [T; 2])) -> Result<([T; 2], [T; 2]), Self::Error> {
+        Ok((Places.admit(from)?, Places.admit(to)?))
+    }
+}
+
 /// Vectors, of unit length or not.
 #[derive(Clone, Copy)]
 pub(super) struct Vectors {

@@ -36,23 +36,28 @@ impl<T: Real> Angle<T> {
         }
     }
 
+    #[cfg_attr(not(small), inline(always))]
     pub fn degrees(degrees: T) -> Self {
         sin_cos_degrees(degrees).into()
     }
 
+    #[cfg_attr(not(small), inline(always))]
     pub fn radians(radians: T) -> Self {
         sin_cos(radians).into()
     }
 
+    #[cfg_attr(not(small), inline(always))]
     pub fn to_radians(self) -> T {
         atan2(self.sin, self.cos)
     }
 
+    #[cfg_attr(not(small), inline(always))]
     pub fn to_degrees(self) -> T {
         atan2_degrees(self.sin, self.cos)
     }
 
     /// The sum of two angles.
+    #[cfg_attr(not(small), inline(always))]
     pub fn plus(self, other: Self) -> Self {
         Self {
             sin: self.sin * other.cos + self.cos * other.sin,
@@ -61,11 +66,13 @@ impl<T: Real> Angle<T> {
     }
 
     /// The difference of two angles.
+    #[cfg_attr(not(small), inline(always))]
     pub fn minus(self, other: Self) -> Self {
         self.plus(other.opposite())
     }
 
     /// The angle of opposite sign.
+    #[cfg_attr(not(small), inline(always))]
     pub fn opposite(self) -> Self {
         Self {
             sin: -self.sin,

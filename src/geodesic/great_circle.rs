@@ -268,6 +268,20 @@ impl<T: Real> GreatCircle<T> {
     pub fn along_track(&self, place: LatLon<T>, start: LatLon<T>, end: LatLon<T>) -> T {
         track(place, start, end).along * self.radius
     }
+
+    /// The azimuth in degrees at which the great circle to another place starts.
+    #[inline(always)]
+    pub(crate) fn course(start: LatLon<T>, end: LatLon<T>) -> T {
+        Delambre::between(start, end).azimuths().0
+    }
+
+    /// Along-track and cross-track distance of a place, from the start of a great circle and its azimuth
+    /// there in degrees.
+    #[inline(always)]
+    pub(crate) fn tracks_beside(&self, place: LatLon<T>, start: LatLon<T>, azimuth: T) -> [T; 2] {
+        let Track { along, cross } = track_beside(place, start, azimuth);
+        [along * self.radius, cross * self.radius]
+    }
 }
 
 impl<T: Real> Geodesic<T> for GreatCircle<T> {
@@ -353,10 +367,15 @@ fn destination<T: Real>(from: LatLon<T>, azimuth: (T, T), angle: T) -> Direct<T>
 }
 
 fn track<T: Real>(place: LatLon<T>, start: LatLon<T>, end: LatLon<T>) -> Track<T> {
+    track_beside(place, start, GreatCircle::course(start, end))
+}
+
+/// The track of a place beside the great circle that leaves a start at an azimuth in degrees.
+#[cfg_attr(not(small), inline(always))]
+fn track_beside<T: Real>(place: LatLon<T>, start: LatLon<T>, azimuth: T) -> Track<T> {
     let line = Delambre::between(start, place);
     let (sin, cos) = sin_cos(line.angle());
     let (toward, _) = line.azimuths();
-    let (azimuth, _) = Delambre::between(start, end).azimuths();
     let (sin_turn, cos_turn) = sin_cos_degrees(toward - azimuth);
     let ahead = sin * cos_turn;
     Track {

@@ -28,6 +28,7 @@ mod profile;
 pub use error::GeodesicError;
 pub use general::{Line, LinePoint};
 pub use karney::{Area, PolygonArea, Solution};
+pub(crate) use karney::{Edge, Edges};
 pub use method::{InvalidMethod, UnknownMethod, Visitor};
 pub(crate) use planar_area::Tangent;
 pub use planar_area::{PlanarArea, PlanarPolygon};

@@ -12,16 +12,43 @@ use testkit::bytes::Bytes;
 use testkit::properties;
 use testkit::scalar::{Scalar, same};
 
-properties! { positions latitudes points projections maps inverses directs }
+mod frame;
+mod line;
+mod ring;
+mod scene;
+mod terrain;
+
+use frame::frames;
+use line::{distances, lines, paths};
+use ring::rings;
+use scene::answers;
+use terrain::{keys, samples, tiles};
+
+properties! {
+    positions latitudes points projections maps inverses directs
+    distances lines paths frames tiles keys samples rings answers
+}
 
 /// What stands where nothing was written.
 const MARK: f64 = 7.0;
 
-/// Compares a batch with one by one. A few elements are made of bytes, and come again and again in an order made of them too; a
-/// column may be of another length.
+/// Compares a batch with one by one.
 fn compare<T: Scalar, E: Debug, const I: usize, const O: usize>(
     bytes: &mut Bytes<'_>,
     what: &str,
+    element: impl Fn(&mut Bytes<'_>) -> [T; I],
+    one: impl Fn([T; I]) -> Result<[T; O], E>,
+    batch: impl Fn([&[T]; I], [&mut [T]; O]) -> Result<(), InvalidBatch<E>>,
+) {
+    compare_or(bytes, what, [T::of(f64::NAN); O], element, one, batch);
+}
+
+/// Compares a batch with one by one; `nothing` is written for what is refused. A few elements are made of bytes, and come again
+/// and again in an order made of them too; a column may be of another length.
+fn compare_or<T: Scalar, E: Debug, const I: usize, const O: usize>(
+    bytes: &mut Bytes<'_>,
+    what: &str,
+    nothing: [T; O],
     element: impl Fn(&mut Bytes<'_>) -> [T; I],
     one: impl Fn([T; I]) -> Result<[T; O], E>,
     batch: impl Fn([&[T]; I], [&mut [T]; O]) -> Result<(), InvalidBatch<E>>,
@@ -68,20 +95,25 @@ fn compare<T: Scalar, E: Debug, const I: usize, const O: usize>(
         assert!(!written, "{}: written", context());
         return;
     }
+    judge(&context(), nothing, &results, |index| one(rows[index]), found);
+}
+
+/// Judges what a batch wrote and returned by what one by one gives.
+fn judge<T: Scalar, E: Debug, const O: usize>(
+    context: &str,
+    nothing: [T; O],
+    results: &[Vec<T>; O],
+    one: impl Fn(usize) -> Result<[T; O], E>,
+    found: Result<(), InvalidBatch<E>>,
+) {
     let mut refused: Result<(), InvalidBatch<E>> = Ok(());
-    for (index, &row) in rows.iter().enumerate() {
-        let expected = one(row);
+    for index in 0..results[0].len() {
+        let expected = one(index);
         for (column, result) in results.iter().enumerate() {
             let result = result[index];
-            let same = match &expected {
-                Ok(expected) => same(expected[column], result),
-                // A column of faces has the front there.
-                Err(_) => same(T::of(f64::NAN), result) || (column == 0 && result == T::ZERO),
-            };
             assert!(
-                same,
-                "{}: {row:?} at {index} is {expected:?}, not {result:?} in column {column}",
-                context()
+                same(expected.as_ref().map_or(nothing[column], |row| row[column]), result),
+                "{context}: {index} is {expected:?}, not {result:?} in column {column}"
             );
         }
         if let Err(why) = expected {
@@ -98,7 +130,7 @@ fn compare<T: Scalar, E: Debug, const I: usize, const O: usize>(
         }
     }
     // In words, as a NaN is not itself.
-    assert_eq!(format!("{refused:?}"), format!("{found:?}"), "{}", context());
+    assert_eq!(format!("{refused:?}"), format!("{found:?}"), "{context}");
 }
 
 /// A number of a column: in range, or one time in sixteen anything.
@@ -114,12 +146,27 @@ fn place<T: Scalar>(bytes: &mut Bytes<'_>) -> [T; 2] {
     [entry(bytes, 90.0), entry(bytes, 180.0)]
 }
 
+/// Two places, seldom bad ones.
+fn pair<T: Scalar>(bytes: &mut Bytes<'_>) -> [T; 4] {
+    if bytes.byte() % 8 == 7 {
+        let ([lat1, lon1], [lat2, lon2]) = (place(bytes), place(bytes));
+        return [lat1, lon1, lat2, lon2];
+    }
+    let (from, to) = bytes.pair();
+    [from.lat(), from.lon(), to.lat(), to.lon()]
+}
+
 fn vector<T: Scalar>(bytes: &mut Bytes<'_>) -> [T; 3] {
     match bytes.byte() % 8 {
         0 => [bytes.anything(), bytes.anything(), bytes.anything()],
         1 | 2 => [entry(bytes, 1.0), entry(bytes, 1.0), entry(bytes, 1.0)],
         _ => bytes.direction().to_array(),
     }
+}
+
+/// What a point of a face is that was refused.
+fn no_point<T: Scalar>() -> [T; 3] {
+    [T::ZERO, T::of(f64::NAN), T::of(f64::NAN)]
 }
 
 fn number<T: Real>(face: Face) -> T {
@@ -287,9 +334,10 @@ fn points<T: Scalar>(bytes: &mut Bytes<'_>) {
 fn projections<T: Scalar>(bytes: &mut Bytes<'_>) {
     let projection = bytes.projection();
     if bytes.flag() {
-        compare(
+        compare_or(
             bytes,
             projection.name(),
+            no_point(),
             vector::<T>,
             |[x, y, z]| {
                 let point = projection.project(Direction::new(x, y, z)?);
@@ -313,9 +361,10 @@ fn maps<T: Scalar>(bytes: &mut Bytes<'_>) {
     let shifted = shifted::<T>(bytes);
     let map = CubeMap::new(shifted.ellipsoid(), shifted.shift(), projection).unwrap();
     if bytes.flag() {
-        compare(
+        compare_or(
             bytes,
             projection.name(),
+            no_point(),
             place::<T>,
             |[lat, lon]| {
                 let point = map.project(LatLon::new(lat, lon)?);
@@ -342,14 +391,7 @@ fn inverses<T: Scalar>(bytes: &mut Bytes<'_>) {
         compare(
             bytes,
             "inverse",
-            |bytes| {
-                if bytes.byte() % 8 == 7 {
-                    let ([lat1, lon1], [lat2, lon2]) = (place(bytes), place(bytes));
-                    return [lat1, lon1, lat2, lon2];
-                }
-                let (from, to) = bytes.pair();
-                [from.lat(), from.lon(), to.lat(), to.lon()]
-            },
+            pair,
             |[lat1, lon1, lat2, lon2]| {
                 let from = LatLon::new(lat1, lon1).map_err(InvalidProblem::LatLon)?;
                 let to = LatLon::new(lat2, lon2).map_err(InvalidProblem::LatLon)?;

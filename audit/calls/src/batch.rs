@@ -4,7 +4,7 @@ use terrella::batch::{
     self, InvalidBatch, area::InvalidRing, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem,
 };
 use terrella::cube::{CubeMap, Face, Projection};
-use terrella::geodesic::{Area, Geodesic, Karney, Method, PlanarArea, Vincenty};
+use terrella::geodesic::{Area, Geodesic, GreatCircle, Karney, Method, PlanarArea, Vincenty};
 use terrella::latitude::Conversion;
 use terrella::scene::{Order, Scene, Surface, View};
 use terrella::{Ellipsoid, GeodeticSeries, Latitude, LocalFrame, Shift, Shifted};
@@ -31,6 +31,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     let earth = Ellipsoid::<T>::WGS84;
     if let (Ok(karney), Ok(vincenty)) = (Karney::new(earth), Vincenty::new(earth)) {
         geodesics(visitor, &karney, "karney");
+        points_of_lines(visitor, &karney);
         geodesics(visitor, &vincenty, "vincenty");
     }
 }
@@ -327,6 +328,53 @@ fn geodesics<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M,
         starts,
         |[lat, lon, azimuth, distance]| {
             into(|ends| batch::geodesic::direct(method, [&lat, &lon], &azimuth, &distance, ends))
+        },
+    );
+    let one_way = |arguments: &mut Arguments| {
+        let azimuth = arguments.unit::<T>() * T::of(180.0);
+        (arguments.place::<T>(), azimuth, columns(arguments, [T::of(2e7)]))
+    };
+    visitor.visit::<T, _, _>(
+        function("batch::geodesic::direct_from", name),
+        one_way,
+        |(from, azimuth, [distance])| into(|ends| batch::geodesic::direct_from(method, from, azimuth, &distance, ends)),
+    );
+    let fractions = |arguments: &mut Arguments| (arguments.pair::<T>(), columns(arguments, [T::ONE]));
+    visitor.visit::<T, _, _>(
+        function("batch::geodesic::intermediate", name),
+        fractions,
+        |([from, to], [fractions])| into(|places| batch::geodesic::intermediate(method, from, to, &fractions, places)),
+    );
+}
+
+fn points_of_lines<T: Scalar, V: Visitor>(visitor: &mut V, karney: &Karney<T>) {
+    let line = |arguments: &mut Arguments| {
+        let azimuth = arguments.unit::<T>() * T::of(180.0);
+        (arguments.place::<T>(), azimuth, columns(arguments, [T::of(2e8)]))
+    };
+    visitor.visit::<T, _, _>(
+        function("batch::geodesic::along", ""),
+        line,
+        |(from, azimuth, [distance])| {
+            let line = karney.line(from, azimuth).ok()?;
+            Some(into(|points| batch::geodesic::along(&line, &distance, points)))
+        },
+    );
+    let leg = |arguments: &mut Arguments| (arguments.pair::<T>(), places::<T>(arguments));
+    let Ok(sphere) = GreatCircle::new(T::of(6.371e6)) else {
+        return;
+    };
+    visitor.visit::<T, _, _>(
+        function("batch::geodesic::tracks", ""),
+        leg,
+        |([start, end], places)| {
+            (
+                into(|tracks| batch::geodesic::tracks(&sphere, lent(&places), start, end, tracks)),
+                into(|[along, cross]| {
+                    let legs = [along, cross].map(|column| column.get_mut(1..).unwrap_or_default());
+                    batch::geodesic::leg_tracks(&sphere, start, lent(&places), legs)
+                }),
+            )
         },
     );
 }

@@ -20,7 +20,7 @@ pub struct Outcome<T> {
     /// How often the longitude was evaluated.
     pub evaluations: usize,
     /// Whether this is the answer.
-    found: bool,
+    pub found: bool,
 }
 
 /// The longitude of a great circle, and the step of Newton's method from there.
@@ -74,18 +74,27 @@ impl<T: Real> Solver<T> {
     /// not between nearly antipodal places, either.
     #[inline(always)]
     pub fn near_inverse(&self, from: LatLon<T>, to: LatLon<T>) -> (Inverse<T>, bool) {
-        let mut pair = Pair::new(self.axes, from, to);
-        pair.see(false);
-        let Outcome { inverse, found, .. } = self.newton(&pair, fixed::<T>());
+        let (Outcome { inverse, found, .. }, same) = self.near_outcome(from, to);
         // Between a place and itself nothing is divided by the arc.
-        let same = (pair.phi1 == pair.phi2) & (pair.lambda12 == T::ZERO) & (pair.rest == T::ZERO);
         let unless_same = |value| select(same, T::ZERO, value);
         let line = Inverse {
             distance: unless_same(inverse.distance),
             azimuth1: unless_same(inverse.azimuth1),
             azimuth2: unless_same(inverse.azimuth2),
         };
-        (line, same | (found & !pair.nearly_antipodal()))
+        (line, same | found)
+    }
+
+    /// The same with all that is known of the line; nothing is if the places are the same, and whether they
+    /// are.
+    #[inline(always)]
+    pub fn near_outcome(&self, from: LatLon<T>, to: LatLon<T>) -> (Outcome<T>, bool) {
+        let mut pair = Pair::new(self.axes, from, to);
+        pair.see(false);
+        let outcome = self.newton(&pair, fixed::<T>());
+        let same = (pair.phi1 == pair.phi2) & (pair.lambda12 == T::ZERO) & (pair.rest == T::ZERO);
+        let found = outcome.found & !pair.nearly_antipodal();
+        (Outcome { found, ..outcome }, same)
     }
 
     #[cold]

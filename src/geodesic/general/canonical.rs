@@ -69,7 +69,29 @@ pub(super) fn rounded<T: Real>(degrees: T) -> T {
     size.copysign(degrees)
 }
 
+/// What the area under the geodesic between the points of a canonical problem depends on.
+#[derive(Clone, Copy)]
+pub struct Course<T> {
+    pub alpha1: Angle<T>,
+    pub alpha2: Angle<T>,
+    /// ω₁₂, unless the course is along a meridian.
+    pub omega12: Angle<T>,
+    pub meridional: bool,
+}
+
+impl<T: Real> Segment<T> {
+    pub fn course(&self) -> Course<T> {
+        Course {
+            alpha1: self.alpha1,
+            alpha2: self.alpha2,
+            omega12: self.omega12.unwrap_or(self.alpha1),
+            meridional: self.omega12.is_none(),
+        }
+    }
+}
+
 impl<T: Real> Canonical<T> {
+    #[cfg_attr(not(small), inline(always))]
     pub fn new(solver: &Solver<T>, from: LatLon<T>, to: LatLon<T>) -> Self {
         let DoubleWord { high: lon12, low: rest } = longitude_difference(from, to);
         let mut lon_sign = T::ONE.copysign(lon12);
@@ -77,10 +99,9 @@ impl<T: Real> Canonical<T> {
         let (sin, cos) = DoubleWord { high: lon12, low: rest }.sin_cos_degrees();
         let (mut lat1, mut lat2) = (rounded(from.lat()), rounded(to.lat()));
         let swap = select(lat1.abs() < lat2.abs(), -T::ONE, T::ONE);
-        if swap < T::ZERO {
-            lon_sign = -lon_sign;
-            (lat1, lat2) = (lat2, lat1);
-        }
+        let exchanged = swap < T::ZERO;
+        lon_sign = select(exchanged, -lon_sign, lon_sign);
+        (lat1, lat2) = select(exchanged, (lat2, lat1), (lat1, lat2));
         let lat_sign = -T::ONE.copysign(lat1);
         let (lat1, lat2) = (lat1 * lat_sign, lat2 * lat_sign);
         let lambda = (lon12 + rest) * T::of(PI / 180.0);
@@ -94,17 +115,15 @@ impl<T: Real> Canonical<T> {
         let (rise, _) = DoubleWord::sum(lat2, -lat1).sin_cos_degrees();
         // Rounding may hide that |β₁| = |β₂|, or turn their order round: the smaller of sine and cosine tells
         // more.
-        let level = if beta1.cos < -beta1.sin {
-            beta2.cos <= beta1.cos
-        } else {
-            beta2.sin.abs() >= -beta1.sin
+        let level = select(
+            beta1.cos < -beta1.sin,
+            beta2.cos <= beta1.cos,
+            beta2.sin.abs() >= -beta1.sin,
+        );
+        beta2 = Angle {
+            sin: select(level, beta1.sin.copysign(beta2.sin), beta2.sin),
+            cos: select(level, beta1.cos, beta2.cos),
         };
-        if level {
-            beta2 = Angle {
-                sin: beta1.sin.copysign(beta2.sin),
-                cos: beta1.cos,
-            };
-        }
         Self {
             beta1,
             beta2,
@@ -122,11 +141,13 @@ impl<T: Real> Canonical<T> {
     }
 
     /// The sign that an area takes on the way back.
+    #[inline(always)]
     pub fn area_sign(&self) -> T {
         self.swap * self.lon_sign * self.lat_sign
     }
 
     /// An azimuth of the problem as it was put from one of the canonical, and back.
+    #[cfg_attr(not(small), inline(always))]
     fn turned(&self, alpha: Angle<T>) -> Angle<T> {
         Angle {
             sin: alpha.sin * (self.swap * self.lon_sign) + T::ZERO,
@@ -145,8 +166,22 @@ impl<T: Real> Canonical<T> {
         }
     }
 
-    /// The segment of a line whose inverse problem, as it was put, is solved already: `sigma12` is σ₁₂,
-    /// `growth` ω₁₂ − λ₁₂ in radians.
+    /// The course of a line whose inverse problem, as it was put, is solved already: `growth` is ω₁₂ − λ₁₂ in
+    /// radians.
+    #[cfg_attr(not(small), inline(always))]
+    pub fn course(&self, line: Inverse<T>, growth: T) -> Course<T> {
+        let one = self.turned(Angle::degrees(line.azimuth1));
+        let two = self.turned(Angle::degrees(line.azimuth2));
+        let (alpha1, alpha2) = select(self.swap < T::ZERO, (two, one), (one, two));
+        Course {
+            alpha1,
+            alpha2,
+            omega12: self.lambda12.plus(Angle::radians(growth)),
+            meridional: (self.polar | (self.lambda12.sin == T::ZERO)) & (alpha2.sin == T::ZERO),
+        }
+    }
+
+    /// The segment of the same line; `sigma12` is σ₁₂.
     pub fn segment(
         &self,
         solver: &Solver<T>,
@@ -154,19 +189,13 @@ impl<T: Real> Canonical<T> {
         [sigma12, growth]: [T; 2],
         evaluations: usize,
     ) -> Segment<T> {
-        let turn = |azimuth| self.turned(Angle::degrees(azimuth));
-        let (alpha1, alpha2) = if self.swap < T::ZERO {
-            (turn(line.azimuth2), turn(line.azimuth1))
-        } else {
-            (turn(line.azimuth1), turn(line.azimuth2))
-        };
+        let course = self.course(line, growth);
+        let Course { alpha1, alpha2, .. } = course;
         let alpha0 = node(alpha1, self.beta1);
         let epsilon = Integrals::epsilon(alpha0.cos * alpha0.cos * solver.ellipsoid.ep2());
         let sigma1 = arc_from_node(alpha1, self.beta1);
         let sigma2 = sigma1.plus(Angle::radians(sigma12));
         let lengths = solver.lengths(epsilon, sigma12, self.end1(sigma1), self.end2(sigma2));
-        let meridional = (self.polar || self.lambda12.sin == T::ZERO) && alpha2.sin == T::ZERO;
-        let omega12 = self.lambda12.plus(Angle::radians(growth));
         let distance = line.distance;
         let reduced = if sigma12 < solver.short {
             // m₁₂ = s₁₂(1 − σ₁₂²/6 …): between neighbours the differences of its formula would be all
@@ -182,7 +211,7 @@ impl<T: Real> Canonical<T> {
             scales: lengths.scales,
             alpha1,
             alpha2,
-            omega12: (!meridional).then_some(omega12),
+            omega12: (!course.meridional).then_some(course.omega12),
             evaluations,
         }
     }

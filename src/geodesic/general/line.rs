@@ -2,10 +2,10 @@ use core::f64::consts::PI;
 
 use super::Solver;
 use super::canonical::{rounded, tiny};
-use crate::geodesic::GeodesicError;
 use crate::geodesic::angle::{Angle, wrapped};
-use crate::geodesic::series::{Integrals, Row};
+use crate::geodesic::series::{Integrals, Row, sines};
 use crate::geodesic::sphere::node;
+use crate::geodesic::{Direct, GeodesicError};
 use crate::math::{atan2_degrees, hypot, select};
 use crate::{LatLon, Real};
 
@@ -13,6 +13,7 @@ use crate::{LatLon, Real};
 ///
 /// [`Karney::line`](crate::geodesic::Karney::line) makes one. What depends on the start alone is computed
 /// once: each further point costs less than a direct problem, and comes with reduced length and scales.
+/// [`batch::geodesic::along`](crate::batch::geodesic::along) takes many distances.
 ///
 /// ```
 /// use terrella::geodesic::Karney;
@@ -145,39 +146,77 @@ impl<T: Real> Line<T> {
     }
 
     pub(in crate::geodesic) fn place(&self, distance: T) -> Result<Place<T>, GeodesicError<T>> {
-        let Self {
-            solver, sigma1, alpha0, ..
-        } = self;
-        let integrals = &solver.integrals;
-        let b = solver.ellipsoid.b();
-        // One quotient: over many circuits each rounding counts.
-        let radius = b + b * self.a1;
-        let tau12 = distance / radius;
-        let longest = T::pick(1e5, 100.0);
+        let (tau12, radius) = self.mean_arc(distance);
+        let longest = longest::<T>();
         // Also false for NaN.
         let within = tau12.abs() < longest;
         if !within {
             return Err(GeodesicError::refused(distance, longest * radius));
         }
+        let integrals = &self.solver.integrals;
+        Ok(self.reach(tau12, true, |row, sigma| integrals.sines(row, sigma)))
+    }
+
+    /// The point of [`Self::at`] without a branch, and whether it is that, bit for bit: not on ellipsoids far
+    /// flatter than the Earth, nor after some fifty circuits of it.
+    #[inline(always)]
+    pub(crate) fn fast_at(&self, distance: T) -> (Direct<T>, bool) {
+        let (tau12, _) = self.mean_arc(distance);
+        let terms = T::terms(6, 3);
+        let point = self.reach(tau12, false, |row, sigma| sines(row, terms, sigma)).point;
+        // So the longitudes differ by less than a circle.
+        let few = (tau12.abs() < longest()) & ((self.a3 * tau12).abs() <= T::ONE);
+        let end = Direct {
+            position: point.position,
+            azimuth: point.azimuth,
+        };
+        (
+            end,
+            few & !self.reverts_slowly() & (self.solver.integrals.order() <= terms),
+        )
+    }
+
+    /// τ₁₂ and its unit in metres.
+    #[inline(always)]
+    fn mean_arc(&self, distance: T) -> (T, T) {
+        let b = self.solver.ellipsoid.b();
+        // One quotient: over many circuits each rounding counts.
+        let radius = b + b * self.a1;
+        (distance / radius, radius)
+    }
+
+    /// Whether the reversion converges more slowly than the series.
+    #[inline(always)]
+    fn reverts_slowly(&self) -> bool {
+        self.solver.ellipsoid.f().abs() > T::of(0.01)
+    }
+
+    /// The point at τ₁₂; `any` if the reversion may converge slowly, and the longitudes may differ by more
+    /// than a circle.
+    #[inline(always)]
+    fn reach(&self, tau12: T, any: bool, sines: impl Fn(&Row<T>, Angle<T>) -> T) -> Place<T> {
+        let Self {
+            solver, sigma1, alpha0, ..
+        } = self;
+        let b = solver.ellipsoid.b();
         let tau2 = self.tau1.plus(Angle::radians(tau12));
-        let b12 = -integrals.sines(&self.c1_reverted, tau2);
+        let b12 = -sines(&self.c1_reverted, tau2);
         let mut arc = tau12 - (b12 - self.b11);
         let mut sigma12 = Angle::radians(arc);
         let mut sigma2 = sigma1.plus(sigma12);
-        if solver.ellipsoid.f().abs() > T::of(0.01) {
-            // The reversion converges more slowly than the series: one step of Newton's method.
-            let error = (arc - tau12) + (integrals.sines(&self.c1, sigma2) - self.b11);
+        if any && self.reverts_slowly() {
+            // One step of Newton's method.
+            let error = (arc - tau12) + (sines(&self.c1, sigma2) - self.b11);
             arc -= error * (T::ONE + self.a1) / (T::ONE + self.k2 * sigma2.sin * sigma2.sin).sqrt();
             sigma12 = Angle::radians(arc);
             sigma2 = sigma1.plus(sigma12);
         }
         let dn2 = (T::ONE + self.k2 * sigma2.sin * sigma2.sin).sqrt();
         let mut cos_beta2 = hypot(alpha0.sin, alpha0.cos * sigma2.cos);
-        if cos_beta2 == T::ZERO {
-            // At a pole, leaving it along a definite meridian.
-            cos_beta2 = tiny();
-            sigma2.cos = cos_beta2;
-        }
+        // At a pole, leaving it along a definite meridian.
+        let polar = cos_beta2 == T::ZERO;
+        cos_beta2 = select(polar, tiny(), cos_beta2);
+        sigma2.cos = select(polar, cos_beta2, sigma2.cos);
         let sin_beta2 = alpha0.cos * sigma2.sin;
         let alpha2 = Angle {
             sin: alpha0.sin,
@@ -188,16 +227,18 @@ impl<T: Real> Line<T> {
             cos: sigma2.cos,
         };
         let omega12 = omega2.minus(self.omega1).to_radians();
-        let lambda12 = omega12 + (self.a3 * arc + (integrals.sines(&self.c3, sigma2) - self.b31));
+        let lambda12 = omega12 + (self.a3 * arc + (sines(&self.c3, sigma2) - self.b31));
         let degree = T::of(180.0 / PI);
+        let lon12 = lambda12 * degree;
         // Of very many circuits the flattening alone makes a circle and more.
-        let lon2 = wrapped(self.lon1 + wrapped((lambda12 * degree).remainder(T::of(360.0))));
+        let lon12 = if any { lon12.remainder(T::of(360.0)) } else { lon12 };
+        let lon2 = wrapped(self.lon1 + wrapped(lon12));
         let lat2 = atan2_degrees(sin_beta2, solver.axes * cos_beta2);
-        let b1 = (T::ONE + self.a1) * (integrals.sines(&self.c1, sigma2) - self.b11);
-        let b2 = (T::ONE + self.a2) * (integrals.sines(&self.c2, sigma2) - self.b21);
+        let b1 = (T::ONE + self.a1) * (sines(&self.c1, sigma2) - self.b11);
+        let b2 = (T::ONE + self.a2) * (sines(&self.c2, sigma2) - self.b21);
         let j12 = (self.a1 - self.a2) * arc + (b1 - b2);
         let t = self.k2 * (sigma2.sin - sigma1.sin) * (sigma2.sin + sigma1.sin) / (self.dn1 + dn2);
-        Ok(Place {
+        Place {
             point: LinePoint {
                 position: LatLon::within(lat2, lon2),
                 azimuth: alpha2.to_degrees(),
@@ -212,6 +253,12 @@ impl<T: Real> Line<T> {
             alpha2,
             sigma12,
             sigma2,
-        })
+        }
     }
+}
+
+/// The longest arc in radians.
+#[inline(always)]
+fn longest<T: Real>() -> T {
+    T::pick(1e5, 100.0)
 }

@@ -19,7 +19,7 @@ mod line;
 mod newton;
 mod start;
 
-pub use canonical::{Canonical, Segment};
+pub use canonical::{Canonical, Course, Segment};
 pub use line::{Line, LinePoint};
 
 use canonical::tiny;
@@ -68,6 +68,7 @@ impl<T: Real> Solver<T> {
     }
 
     /// β of a latitude φ in degrees, its cosine never 0, and √(cos²φ + (1 − f)² sin²φ).
+    #[cfg_attr(not(small), inline(always))]
     fn parametric(&self, lat: T) -> (Angle<T>, T) {
         let (beta, divisor) = parametric(lat, self.axes);
         let beta = Angle {
@@ -78,6 +79,7 @@ impl<T: Real> Solver<T> {
     }
 
     /// √(1 + e′² sin²β).
+    #[inline(always)]
     fn dn(&self, sin_beta: T) -> T {
         (T::ONE + self.ellipsoid.ep2() * sin_beta * sin_beta).sqrt()
     }

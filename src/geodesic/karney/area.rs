@@ -1,12 +1,13 @@
 use super::Karney;
+use super::edge::Edge;
 use super::polygon::PolygonArea;
 use crate::geodesic::GeodesicError;
 use crate::geodesic::angle::{Angle, longitude_difference};
-use crate::geodesic::general::{Canonical, Segment};
+use crate::geodesic::general::{Canonical, Course};
 use crate::geodesic::series::{AreaSeries, Integrals};
 use crate::geodesic::sphere::{arc_from_node, node};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::{DoubleWord, atan2};
+use crate::math::{DoubleWord, select};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// Areas of polygons of any size, and between a geodesic and the equator, on the ellipsoid.
@@ -29,7 +30,7 @@ use crate::{Ellipsoid, LatLon, Real};
 #[doc(alias = "areaint", alias = "geod_polygonarea")]
 pub struct Area<T> {
     pub(super) karney: Karney<T>,
-    series: AreaSeries<T>,
+    pub(super) series: AreaSeries<T>,
     /// The square of the authalic radius.
     pub(super) c2: T,
 }
@@ -62,36 +63,51 @@ impl<T: Real> Area<T> {
     /// equator.
     #[must_use]
     pub fn under(&self, from: LatLon<T>, to: LatLon<T>) -> T {
-        let (_, area) = self.edge(from, to);
-        area.value()
+        self.edge(from, to).under.value()
     }
 
-    /// The length of a geodesic in metres and the area under it.
-    pub(super) fn edge(&self, from: LatLon<T>, to: LatLon<T>) -> (T, DoubleWord<T>) {
-        let (line, problem, segment) = self.karney.whole(from, to);
-        let DoubleWord { high, low } = match segment.omega12 {
-            Some(omega12) => self.beside_meridian(&problem, &segment, omega12),
-            None => {
-                // Between opposite places over either pole; else over the one in the south, or from a pole.
-                let opposite = problem.lambda12.sin == T::ZERO && problem.lambda12.cos < T::ZERO;
-                let north = opposite && segment.alpha1.cos > T::ZERO;
-                self.along_meridian(longitude_difference(from, to), north)
+    /// The geodesic from one place to another as an edge of a polygon.
+    pub(super) fn edge(&self, from: LatLon<T>, to: LatLon<T>) -> Edge<T> {
+        let Karney { general, fast } = &self.karney;
+        if fast.exact() {
+            if let Some(found) = fast.outcome(from, to) {
+                let problem = Canonical::new(general, from, to);
+                let course = problem.course(found.inverse, found.growth);
+                let under = self.under_course(from, to, (&problem, &course));
+                return Edge::new(from, to, found.inverse.distance, under);
             }
+        }
+        let (line, problem, segment) = general.inverse(from, to);
+        let under = self.under_course(from, to, (&problem, &segment.course()));
+        Edge::new(from, to, line.distance, under)
+    }
+
+    fn under_course(&self, from: LatLon<T>, to: LatLon<T>, solved: Solved<'_, T>) -> DoubleWord<T> {
+        let (problem, course) = solved;
+        let area = if course.meridional {
+            self.along_meridian(from, to, solved)
+        } else {
+            self.beside_meridian(solved, |alpha0, sigmas| self.beyond_sphere(alpha0, sigmas))
         };
-        let sign = problem.area_sign();
-        let area = DoubleWord {
-            high: high * sign + T::ZERO,
-            low: low * sign + T::ZERO,
-        };
-        (line.distance, area)
+        turned_back(problem, area)
     }
 
     /// All of the turn is at a pole, in the south if it is not said to be in the north: a lune, exactly a
     /// quarter of the ellipsoid between opposite meridians.
-    fn along_meridian(&self, difference: DoubleWord<T>, north: bool) -> DoubleWord<T> {
+    #[cfg_attr(not(small), inline(always))]
+    pub(super) fn along_meridian(
+        &self,
+        from: LatLon<T>,
+        to: LatLon<T>,
+        (problem, course): Solved<'_, T>,
+    ) -> DoubleWord<T> {
+        // Between opposite places over either pole; else over the one in the south, or from a pole.
+        let opposite = (problem.lambda12.sin == T::ZERO) & (problem.lambda12.cos < T::ZERO);
+        let north = opposite & (course.alpha1.cos > T::ZERO);
+        let difference = longitude_difference(from, to);
         let east = T::ONE.copysign(difference.high);
         let (angle, rest) = (difference.high * east, difference.low * east);
-        let two_circles = if north { T::of(720.0) } else { T::of(-720.0) };
+        let two_circles = select(north, T::of(720.0), T::of(-720.0));
         let part = angle / two_circles;
         // With what the quotient has lost, for lunes round a pole to fill a hemisphere.
         let back = DoubleWord::product(part, two_circles);
@@ -104,32 +120,40 @@ impl<T: Real> Area<T> {
         }
     }
 
-    fn beside_meridian(&self, problem: &Canonical<T>, segment: &Segment<T>, omega12: Angle<T>) -> DoubleWord<T> {
+    /// `beyond_sphere` is [`Self::beyond_sphere`], of σ₁ and σ₂.
+    #[cfg_attr(not(small), inline(always))]
+    pub(super) fn beside_meridian(
+        &self,
+        (problem, course): Solved<'_, T>,
+        beyond_sphere: impl Fn(Angle<T>, [Angle<T>; 2]) -> T,
+    ) -> DoubleWord<T> {
         let (beta1, beta2) = (problem.beta1, problem.beta2);
-        let (alpha1, alpha2) = (segment.alpha1, segment.alpha2);
+        let &Course {
+            alpha1,
+            alpha2,
+            omega12,
+            ..
+        } = course;
         let alpha0 = node(alpha1, beta1);
-        let oblateness = if alpha0.sin == T::ZERO || alpha0.cos == T::ZERO {
-            T::ZERO
-        } else {
-            let sigma1 = arc_from_node(alpha1, beta1);
-            let sigma2 = arc_from_node(alpha2, beta2);
-            self.beyond_sphere(alpha0, sigma1, sigma2)
+        let sigmas = [arc_from_node(alpha1, beta1), arc_from_node(alpha2, beta2)];
+        let round = (alpha0.sin == T::ZERO) | (alpha0.cos == T::ZERO);
+        let oblateness = select(round, T::ZERO, beyond_sphere(alpha0, sigmas));
+        // tan(α₁₂/2) from half angles (Karney 63).
+        let (d1, d2) = (T::ONE + beta1.cos, T::ONE + beta2.cos);
+        let sin = omega12.sin * (beta1.sin * d2 + beta2.sin * d1);
+        let obtuse = omega12.cos < T::ZERO;
+        let versine = select(
+            obtuse,
+            omega12.sin * omega12.sin / (T::ONE - omega12.cos),
+            T::ONE + omega12.cos,
+        );
+        let half = Angle {
+            sin,
+            cos: versine * (beta1.sin * beta2.sin + d1 * d2),
         };
-        let excess = if omega12.cos > T::of(-0.95) && beta2.sin - beta1.sin < T::of(1.75) {
-            // tan(α₁₂/2) from half angles (Karney 63).
-            let (d1, d2) = (T::ONE + beta1.cos, T::ONE + beta2.cos);
-            let sin = omega12.sin * (beta1.sin * d2 + beta2.sin * d1);
-            let versine = if omega12.cos < T::ZERO {
-                omega12.sin * omega12.sin / (T::ONE - omega12.cos)
-            } else {
-                T::ONE + omega12.cos
-            };
-            let cos = versine * (beta1.sin * beta2.sin + d1 * d2);
-            T::of(2.0) * atan2(sin, cos)
-        } else {
-            alpha2.minus(alpha1).to_radians()
-        };
-        self.with_sphere(excess, oblateness)
+        let halved = (omega12.cos > T::of(-0.95)) & (beta2.sin - beta1.sin < T::of(1.75));
+        let turn = select(halved, half, alpha2.minus(alpha1)).to_radians();
+        self.with_sphere(select(halved, T::of(2.0), T::ONE) * turn, oblateness)
     }
 
     /// Returns the area in m² between the equator and the geodesic that starts at a place, at an azimuth in
@@ -162,12 +186,13 @@ impl<T: Real> Area<T> {
         let oblateness = if meridional {
             T::ZERO
         } else {
-            self.beyond_sphere(alpha0, sigma1, sigma2)
+            self.beyond_sphere(alpha0, [sigma1, sigma2])
         };
         Ok(self.with_sphere(turn.to_radians(), oblateness).value() + T::ZERO)
     }
 
     /// c²·excess + oblateness: near a pole the first is the area of a wide triangle, however short the line.
+    #[inline(always)]
     fn with_sphere(&self, excess: T, oblateness: T) -> DoubleWord<T> {
         let sphere = DoubleWord::product(self.c2, excess);
         DoubleWord {
@@ -177,6 +202,7 @@ impl<T: Real> Area<T> {
     }
 
     /// 4πc², the area of the ellipsoid.
+    #[inline(always)]
     pub(super) fn whole(&self) -> DoubleWord<T> {
         let sphere = DoubleWord::product(self.c2, T::of(4.0 * core::f64::consts::PI));
         // What 4π is more than its nearest number.
@@ -188,11 +214,20 @@ impl<T: Real> Area<T> {
     }
 
     /// e²a² cos α₀ sin α₀ (I₄(σ₂) − I₄(σ₁)) (Karney 59).
-    fn beyond_sphere(&self, alpha0: Angle<T>, sigma1: Angle<T>, sigma2: Angle<T>) -> T {
-        let ellipsoid = self.karney.ellipsoid();
-        let epsilon = Integrals::epsilon(alpha0.cos * alpha0.cos * ellipsoid.ep2());
-        let c4 = self.series.c4(epsilon);
+    fn beyond_sphere(&self, alpha0: Angle<T>, [sigma1, sigma2]: [Angle<T>; 2]) -> T {
+        let c4 = self.series.c4(self.epsilon(alpha0));
         let integral = self.series.cosines(&c4, sigma2) - self.series.cosines(&c4, sigma1);
+        self.oblateness(alpha0, integral)
+    }
+
+    #[inline(always)]
+    pub(super) fn epsilon(&self, alpha0: Angle<T>) -> T {
+        Integrals::epsilon(alpha0.cos * alpha0.cos * self.karney.ellipsoid().ep2())
+    }
+
+    #[inline(always)]
+    pub(super) fn oblateness(&self, alpha0: Angle<T>, integral: T) -> T {
+        let ellipsoid = self.karney.ellipsoid();
         ellipsoid.a() * ellipsoid.a() * ellipsoid.e2() * (alpha0.cos * alpha0.sin) * integral
     }
 
@@ -200,5 +235,18 @@ impl<T: Real> Area<T> {
     #[must_use]
     pub fn polygon(&self) -> PolygonArea<'_, T> {
         PolygonArea::new(self)
+    }
+}
+
+/// A canonical problem and its solution.
+pub(super) type Solved<'a, T> = (&'a Canonical<T>, &'a Course<T>);
+
+/// The area of the problem as it was put.
+#[inline(always)]
+pub(super) fn turned_back<T: Real>(problem: &Canonical<T>, area: DoubleWord<T>) -> DoubleWord<T> {
+    let sign = problem.area_sign();
+    DoubleWord {
+        high: area.high * sign + T::ZERO,
+        low: area.low * sign + T::ZERO,
     }
 }

@@ -7,9 +7,11 @@ use crate::latitude::UnsupportedFlattening;
 use crate::{Ellipsoid, LatLon, Real};
 
 mod area;
+mod edge;
 mod polygon;
 
 pub use area::Area;
+pub(crate) use edge::{Edge, Edges};
 pub use polygon::PolygonArea;
 
 profile! {

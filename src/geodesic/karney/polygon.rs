@@ -1,5 +1,5 @@
 use super::Area;
-use crate::geodesic::angle::longitude_difference;
+use super::edge::Edge;
 use crate::math::DoubleWord;
 use crate::{LatLon, Real};
 
@@ -101,18 +101,16 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     }
 
     fn edge(&mut self, from: LatLon<T>, to: LatLon<T>) {
-        let (distance, under) = self.area.edge(from, to);
-        self.perimeter.add(distance);
+        self.join(self.area.edge(from, to));
+    }
+
+    /// Adds an edge by itself.
+    pub(crate) fn join(&mut self, edge: Edge<T>) {
+        self.perimeter.add(edge.length);
         // Eastward the equator is to the right.
-        self.left.add_double(under.negated());
+        self.left.add_double(edge.under.negated());
         reduce(&mut self.left, self.area.whole());
-        // East or west as the geodesic itself goes: the meridian 0 counts to the east.
-        let east = longitude_difference(from, to).high;
-        self.odd ^= match (from.lon() < T::ZERO, to.lon() < T::ZERO) {
-            (true, false) => east > T::ZERO,
-            (false, true) => east < T::ZERO,
-            _ => false,
-        };
+        self.odd ^= edge.crosses;
     }
 }
 

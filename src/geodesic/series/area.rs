@@ -1,4 +1,4 @@
-use super::{Integrals, ROWS, Row, clenshaw, doubled, in_n, rows};
+use super::{Integrals, ROWS, Row, clenshaw, doubled, in_n, longest, rows};
 use crate::geodesic::angle::Angle;
 use crate::math::geodesic as table;
 use crate::{Ellipsoid, Real};
@@ -29,8 +29,32 @@ impl<T: Real> AreaSeries<T> {
 
     /// Σ cₗ cos (2l + 1)σ by Clenshaw's recurrence.
     pub fn cosines(&self, row: &Row<T>, sigma: Angle<T>) -> T {
-        let (_, cos2) = doubled(sigma);
-        let (b0, b1) = clenshaw(row.iter().take(self.order), cos2);
-        sigma.cos * (b0 - b1)
+        cosines(row.get(..self.order).unwrap_or(row), sigma)
     }
+
+    /// C₄ₗ/ε^l by powers of ε, as many as there is room for, 0 beyond the order.
+    pub fn first_rows<const N: usize>(&self) -> [[T; N]; N] {
+        let mut entries = self.c4.iter().copied();
+        let mut length = longest::<T>();
+        let mut used = self.order;
+        [(); N].map(|()| {
+            let mut row = [T::ZERO; N];
+            for (j, entry) in entries.by_ref().take(length).enumerate() {
+                if let Some(slot) = row.get_mut(j).filter(|_| j < used) {
+                    *slot = entry;
+                }
+            }
+            length = length.saturating_sub(1);
+            used = used.saturating_sub(1);
+            row
+        })
+    }
+}
+
+/// Σ cₗ cos (2l + 1)σ by Clenshaw's recurrence.
+#[inline(always)]
+pub fn cosines<T: Real>(row: &[T], sigma: Angle<T>) -> T {
+    let (_, cos2) = doubled(sigma);
+    let (b0, b1) = clenshaw(row.iter(), cos2);
+    sigma.cos * (b0 - b1)
 }

@@ -90,9 +90,13 @@ impl<T: Real> Integrals<T> {
 
     /// Σ cₗ sin 2lσ by Clenshaw's recurrence.
     pub fn sines(&self, row: &Row<T>, sigma: Angle<T>) -> T {
-        let (sin2, cos2) = doubled(sigma);
-        let (b, _) = clenshaw(row.iter().take(self.order), cos2);
-        sin2 * b
+        sines(row, self.order, sigma)
+    }
+
+    /// The number of terms that reach rounding. Coefficients beyond are 0.
+    #[inline(always)]
+    pub fn order(&self) -> usize {
+        self.order
     }
 
     /// Σ cₗ (sin 2lσ₂ − sin 2lσ₁) = Σ 2cₗ cos l(σ₁ + σ₂) sin l(σ₂ − σ₁): between neighbours nothing cancels.
@@ -134,4 +138,12 @@ impl<T: Real> Integrals<T> {
             power * sum
         })
     }
+}
+
+/// Σ cₗ sin 2lσ of so many terms by Clenshaw's recurrence.
+#[inline(always)]
+pub fn sines<T: Real>(row: &Row<T>, terms: usize, sigma: Angle<T>) -> T {
+    let (sin2, cos2) = doubled(sigma);
+    let (b, _) = clenshaw(row.iter().take(terms), cos2);
+    sin2 * b
 }

@@ -19,8 +19,8 @@ mod area;
 mod integrals;
 pub(super) mod short;
 
-pub(super) use area::AreaSeries;
-pub(super) use integrals::Integrals;
+pub(super) use area::{AreaSeries, cosines};
+pub(super) use integrals::{Integrals, sines};
 
 /// Coefficients of a sine series, lowest first: as many as the longest order.
 pub type Row<T> = [T; table::ORDER.0];
@@ -76,6 +76,7 @@ fn rows<T: Real>(entries: &[T], first: usize, order: usize, epsilon: T) -> Row<T
 }
 
 /// Sine and cosine of twice an angle.
+#[cfg_attr(not(small), inline(always))]
 fn doubled<T: Real>(sigma: Angle<T>) -> (T, T) {
     let two = T::of(2.0);
     (
@@ -85,6 +86,7 @@ fn doubled<T: Real>(sigma: Angle<T>) -> (T, T) {
 }
 
 /// The last two partial sums, b₀ and b₁, of Clenshaw's recurrence in 2 cos 2σ.
+#[cfg_attr(not(small), inline(always))]
 fn clenshaw<'a, T: Real>(row: impl DoubleEndedIterator<Item = &'a T>, cos2: T) -> (T, T) {
     let twice = cos2 + cos2;
     row.rev()

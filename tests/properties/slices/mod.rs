@@ -4,6 +4,8 @@ mod area;
 mod cube;
 mod frame;
 mod geodesic;
+mod line;
+mod polygon;
 mod position;
 mod refused;
 mod scene;

@@ -2,9 +2,15 @@
 
 use core::fmt;
 
+mod line;
+mod track;
+
+pub use line::{along, direct_from, intermediate};
+pub use track::{leg_tracks, tracks};
+
 use super::InvalidBatch;
 use super::engine::solve;
-use super::position::Places;
+use super::position::{Pairs, Places};
 use crate::geodesic::{Geodesic, GeodesicError, GeodesicTask};
 use crate::simd::{Door, Element, Same, Sink, Source};
 use crate::{InvalidLatLon, LatLon, Real};
@@ -39,6 +45,9 @@ struct Inverse<'a, M>(&'a M);
 /// From two places to their distance. What computes the azimuths is left out by the compiler.
 struct Distance<'a, M>(&'a M);
 
+/// Latitude, longitude and azimuth of a start, and a distance.
+type Way<T> = ([T; 3], [T; 1]);
+
 /// From latitude, longitude, azimuth, distance to latitude, longitude, azimuth.
 struct Direct<'a, M>(&'a M);
 
@@ -71,18 +80,25 @@ fn within<T: Real>([lat, lon]: [T; 2]) -> LatLon<T> {
     LatLon::within(lat, lon)
 }
 
+/// Each place of a path and the next.
+fn path_legs<T>(path: [&[T]; 2]) -> ([&[T]; 2], [&[T]; 2]) {
+    let from = path.map(|column| column.split_last().map_or(column, |(_, rest)| rest));
+    let to = path.map(|column| column.split_first().map_or(column, |(_, rest)| rest));
+    (from, to)
+}
+
 impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Inverse<'_, M> {
     type Output = [T; 3];
     type Error = InvalidProblem<T>;
 
     #[inline(always)]
-    fn keeps(&self, (from, to): Pair<T>) -> bool {
-        Places.keeps(from) & Places.keeps(to)
+    fn keeps(&self, pair: Pair<T>) -> bool {
+        Pairs.keeps(pair)
     }
 
     #[inline(always)]
-    fn mend(&self, (from, to): Pair<T>) -> Pair<T> {
-        (Places.mend(from), Places.mend(to))
+    fn mend(&self, pair: Pair<T>) -> Pair<T> {
+        Pairs.mend(pair)
     }
 
     #[inline(always)]
@@ -110,12 +126,12 @@ impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Distance<'_, M> {
 
     #[inline(always)]
     fn keeps(&self, pair: Pair<T>) -> bool {
-        Inverse(self.0).keeps(pair)
+        Pairs.keeps(pair)
     }
 
     #[inline(always)]
     fn mend(&self, pair: Pair<T>) -> Pair<T> {
-        Inverse(self.0).mend(pair)
+        Pairs.mend(pair)
     }
 
     #[inline(always)]
@@ -136,27 +152,27 @@ impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Distance<'_, M> {
     }
 }
 
-impl<T: Real, M: Geodesic<T>> Element<[T; 4]> for Direct<'_, M> {
+impl<T: Real, M: Geodesic<T>> Element<Way<T>> for Direct<'_, M> {
     type Output = [T; 3];
     type Error = InvalidProblem<T>;
 
     #[inline(always)]
-    fn keeps(&self, [lat, lon, azimuth, distance]: [T; 4]) -> bool {
+    fn keeps(&self, ([lat, lon, azimuth], [distance]): Way<T>) -> bool {
         Places.keeps([lat, lon]) & azimuth.is_finite() & distance.is_finite()
     }
 
     #[inline(always)]
-    fn mend(&self, [lat, lon, azimuth, distance]: [T; 4]) -> [T; 4] {
-        [lat, LatLon::turned(lon), azimuth, distance]
+    fn mend(&self, ([lat, lon, azimuth], distance): Way<T>) -> Way<T> {
+        ([lat, LatLon::turned(lon), azimuth], distance)
     }
 
     #[inline(always)]
-    fn fast(&self, [lat, lon, azimuth, distance]: [T; 4]) -> ([T; 3], bool) {
+    fn fast(&self, ([lat, lon, azimuth], [distance]): Way<T>) -> ([T; 3], bool) {
         let (end, found) = self.0.fast_direct(LatLon::within(lat, lon), azimuth, distance);
         ([end.position.lat(), end.position.lon(), end.azimuth], found)
     }
 
-    fn one(&self, [lat, lon, azimuth, distance]: [T; 4]) -> Result<[T; 3], InvalidProblem<T>> {
+    fn one(&self, ([lat, lon, azimuth], [distance]): Way<T>) -> Result<[T; 3], InvalidProblem<T>> {
         let end = self.0.direct(place([lat, lon])?, azimuth, distance);
         let end = end.map_err(InvalidProblem::Geodesic)?;
         Ok([end.position.lat(), end.position.lon(), end.azimuth])
@@ -186,9 +202,9 @@ impl<T: Real, S: Source<Row = Pair<T>>, D: Sink<Row = [T; 1]>> GeodesicTask<T> f
 }
 
 /// Direct problems for a known method.
-struct Directs<'a, T>([&'a [T]; 4], [&'a mut [T]; 3]);
+struct Directs<S, D>(S, D);
 
-impl<T: Real> GeodesicTask<T> for Directs<'_, T> {
+impl<T: Real, S: Source<Row = Way<T>>, D: Sink<Row = [T; 3]>> GeodesicTask<T> for Directs<S, D> {
     type Output = Result<(), InvalidBatch<InvalidProblem<T>>>;
 
     fn run<M: Geodesic<T>>(self, method: &M) -> Self::Output {
@@ -362,9 +378,7 @@ pub fn legs<T: Real, M: Geodesic<T>>(
     places: [&[T]; 2],
     distances: &mut [T],
 ) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
-    let from = places.map(|column| column.split_last().map_or(column, |(_, rest)| rest));
-    let to = places.map(|column| column.split_first().map_or(column, |(_, rest)| rest));
-    method.with(Distances((from, to), [distances]))
+    method.with(Distances(path_legs(places), [distances]))
 }
 
 /// Solves the direct problem for places: latitudes, longitudes and azimuths in degrees and distances in
@@ -390,5 +404,5 @@ pub fn direct<T: Real, M: Geodesic<T>>(
     ends: [&mut [T]; 3],
 ) -> Result<(), InvalidBatch<InvalidProblem<T>>> {
     let [lat, lon] = from;
-    method.with(Directs([lat, lon, azimuth, distance], ends))
+    method.with(Directs(([lat, lon, azimuth], [distance]), ends))
 }

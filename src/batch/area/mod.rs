@@ -1,4 +1,4 @@
-//! Measures the areas of many rings, by [`Area`] or [`PlanarArea`].
+//! Measures the areas of many rings, by [`Area`](crate::geodesic::Area) or [`PlanarArea`].
 //!
 //! Rings are given as in GeoArrow: the latitudes and longitudes of all corners, ring after ring, and
 //! `offsets`, of which ring i has its corners from the i-th to before the next. There is one offset more than
@@ -7,9 +7,14 @@
 
 use core::fmt;
 
+mod polygons;
+
+pub(super) use polygons::polygon_areas;
+pub use polygons::polygons;
+
 use super::InvalidBatch;
 use super::position::Places;
-use crate::geodesic::{Area, PlanarArea, Tangent};
+use crate::geodesic::{PlanarArea, Tangent};
 use crate::simd::{Behind, CHUNK, Kernel, Sink, Tally, head, lanes};
 use crate::{InvalidLatLon, LatLon, Real};
 
@@ -50,7 +55,17 @@ struct Ring<'a, T> {
     corners: [&'a [T]; 2],
 }
 
-impl<T: Real> Ring<'_, T> {
+impl<'a, T: Real> Ring<'a, T> {
+    /// From each corner to the next, and from the last to the first.
+    fn edges(self) -> impl Iterator<Item = ([T; 2], [T; 2])> + use<'a, T> {
+        let [lat, lon] = self.corners;
+        let next = |column: &'a [T]| column.iter().skip(1).chain(column.first());
+        let from = lat.iter().zip(lon);
+        let to = next(lat).zip(next(lon));
+        from.zip(to)
+            .map(|((&lat1, &lon1), (&lat2, &lon2))| ([lat1, lon1], [lat2, lon2]))
+    }
+
     /// The error for a corner.
     fn refused(&self, index: usize, why: InvalidLatLon<T>) -> InvalidRing<T> {
         let index = self.start + index;
@@ -67,12 +82,30 @@ impl<T: Real> Ring<'_, T> {
     }
 }
 
+/// The rings, one after the other.
+fn rings_of<'a, T: Real, O: Copy + TryInto<usize>>(
+    offsets: &'a [O],
+    [lat, lon]: [&'a [T]; 2],
+) -> impl Iterator<Item = Result<Ring<'a, T>, InvalidRing<T>>> {
+    let index = |&offset: &O| offset.try_into().unwrap_or(usize::MAX);
+    let (starts, ends) = (offsets.iter().map(index), offsets.iter().skip(1).map(index));
+    starts
+        .zip(ends)
+        .map(move |(start, end)| match (lat.get(start..end), lon.get(start..end)) {
+            (Some(lat), Some(lon)) => Ok(Ring {
+                start,
+                corners: [lat, lon],
+            }),
+            _ => Err(InvalidRing::Offsets { start, end }),
+        })
+}
+
 /// Measures all rings.
 fn every<T: Real, O: Copy + TryInto<usize>, const N: usize>(
     offsets: &[O],
     corners: [&[T]; 2],
     mut results: [&mut [T]; N],
-    measure: impl Fn(Ring<'_, T>) -> Result<[T; N], InvalidRing<T>>,
+    mut measure: impl FnMut(Ring<'_, T>) -> Result<[T; N], InvalidRing<T>>,
 ) -> Result<(), InvalidBatch<InvalidRing<T>>> {
     let [lat, lon] = corners;
     let rings = offsets.len().saturating_sub(1);
@@ -84,70 +117,14 @@ fn every<T: Real, O: Copy + TryInto<usize>, const N: usize>(
         return Err(InvalidBatch::Lengths { first, other });
     }
     let mut tally = Tally::new();
-    let mut starts = offsets.iter().map(|&offset| offset.try_into().unwrap_or(usize::MAX));
-    let Some(mut start) = starts.next() else { return Ok(()) };
-    for (index, end) in starts.enumerate() {
-        let result = match (lat.get(start..end), lon.get(start..end)) {
-            (Some(lat), Some(lon)) => measure(Ring {
-                start,
-                corners: [lat, lon],
-            }),
-            _ => Err(InvalidRing::Offsets { start, end }),
-        };
+    for (index, ring) in rings_of(offsets, corners).enumerate() {
+        let result = ring.and_then(&mut measure);
         results.push(tally.note(index, result, [T::of(f64::NAN); N]));
-        start = end;
     }
     match tally.refused() {
         Some((count, first, why)) => Err(InvalidBatch::Elements { count, first, why }),
         None => Ok(()),
     }
-}
-
-/// Measures rings whose edges are geodesics: areas in m² and perimeters in metres, with the bits of
-/// [`PolygonArea`](crate::geodesic::PolygonArea).
-///
-/// Edges are solved one by one: a batch takes as long as its polygons.
-///
-/// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths (there is an area and a perimeter for each ring), or if a
-/// ring is refused: `first` is the ring's index, and its area and perimeter are NaN.
-///
-/// ```
-/// use terrella::{Ellipsoid, batch::area, geodesic::Area};
-/// let earth = Area::new(Ellipsoid::<f64>::WGS84)?;
-/// let corners: [&[f64]; 2] = [&[0.0, 0.0, 90.0, 0.0, 0.0, -90.0], &[0.0, 90.0, 0.0, 0.0, 90.0, 0.0]];
-/// let (mut areas, mut perimeters) = ([0.0; 2], [0.0; 2]);
-/// area::polygons(&earth, &[0, 3, 6], corners, &mut areas, &mut perimeters)?;
-/// assert_eq!(areas.map(|area| (area * 1e-9).round()), [63_758.0, -63_758.0]);
-/// assert_eq!(perimeters.map(|length| (length * 1e-3).round()), [30_023.0; 2]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn polygons<T: Real, O: Copy + TryInto<usize>>(
-    area: &Area<T>,
-    offsets: &[O],
-    corners: [&[T]; 2],
-    areas: &mut [T],
-    perimeters: &mut [T],
-) -> Result<(), InvalidBatch<InvalidRing<T>>> {
-    every(offsets, corners, [areas, perimeters], |ring| {
-        let mut polygon = area.polygon();
-        ring.each(|corner| polygon.add(corner))?;
-        Ok(polygon.area_and_perimeter())
-    })
-}
-
-/// The areas of [`polygons`] alone.
-pub(super) fn polygon_areas<T: Real, O: Copy + TryInto<usize>>(
-    area: &Area<T>,
-    offsets: &[O],
-    corners: [&[T]; 2],
-    areas: &mut [T],
-) -> Result<(), InvalidBatch<InvalidRing<T>>> {
-    every(offsets, corners, [areas], |ring| {
-        let mut polygon = area.polygon();
-        ring.each(|corner| polygon.add(corner))?;
-        Ok([polygon.area()])
-    })
 }
 
 /// With fewer corners the lanes do not pay.
