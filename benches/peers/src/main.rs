@@ -20,6 +20,7 @@ mod truth;
 use bench::{Bench, Task};
 use pass::Set;
 use shim::Shim;
+use timing::record;
 use truth::Exact;
 
 /// The unit of angles that a library takes and gives. What is not timed converts.
