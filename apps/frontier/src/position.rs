@@ -104,6 +104,8 @@ fn ecef<T: Scalar>(bench: &mut Bench) {
             });
             let name = concat!("GeodeticSeries::", stringify!($name));
             bench.run(&back, name, Mode::OneByOne, &single);
+            let many = set::batch(|points, places| batch::ellipsoid::$name(series, points, places).expect("points"));
+            bench.run(&back, name, Mode::Batch, &many);
         };
     }
     order!(second_order);

@@ -201,6 +201,7 @@ fn colour((scalar, method): Kind) -> Rgb<u8> {
     let hue = match method {
         Method::Plane => [0x00, 0x9e, 0x73],
         Method::Flat => [0x56, 0xb4, 0xe9],
+        Method::Gauss => [0xd5, 0x5e, 0x00],
         Method::GreatCircle => [0xe6, 0x9f, 0x00],
         Method::Andoyer => [0xcc, 0x79, 0xa7],
         _ => [0x3c, 0x3c, 0x3c],
