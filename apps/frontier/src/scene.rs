@@ -104,7 +104,7 @@ const LEFT: f64 = 90.0;
 const TOP: f64 = 110.0;
 
 /// The key under the maps: rows of a column, its width, and the right ends of its numbers.
-const ROWS: usize = 6;
+const ROWS: usize = 7;
 const COLUMN: f64 = 500.0;
 const IN_BATCH: f64 = 310.0;
 const ONE_BY_ONE: f64 = 400.0;
@@ -120,7 +120,7 @@ pub fn draw(records: &[Record], caption: &str) -> Result<Svg, String> {
     let (batch, single) = (times(Mode::Batch), times(Mode::OneByOne));
     let of = |times: &BTreeMap<[String; 2], f64>, kind: Kind| times.get(&key(kind)).copied().unwrap_or(f64::INFINITY);
     let time = |kind: Kind| of(&batch, kind);
-    let mut svg = Svg::new(1100.0, TOP + PLOT + 322.0);
+    let mut svg = Svg::new(1100.0, TOP + PLOT + 348.0);
     svg.text([LEFT, 34.0], "title", TITLE);
     svg.text(
         [LEFT, 58.0],
@@ -184,7 +184,7 @@ pub fn draw(records: &[Record], caption: &str) -> Result<Svg, String> {
         "",
         "nothing: an error that says what would be reached",
     );
-    svg.text([LEFT, TOP + PLOT + 304.0], "tick", caption);
+    svg.text([LEFT, TOP + PLOT + 330.0], "tick", caption);
     Ok(svg)
 }
 
