@@ -1,21 +1,12 @@
-//! What the speed of each function is held against, as a table.
-
-use std::fmt::Write;
+//! What the speed of each function is held against.
 
 use terrella::cube::Projection;
+use terrella::geodesic::Method;
 
-use crate::bench::OURS;
-use crate::projection::Ground;
+use crate::projection::{BYTES, Ground};
+use crate::table::{Against, Bar, Section};
+use timing::points::Pairing;
 use timing::record::Record;
-
-/// A comparison of two records.
-struct Bar<'a> {
-    what: String,
-    ours: &'a Record,
-    other: &'a Record,
-    /// How many times as fast as the other ours should be.
-    wanted: f64,
-}
 
 /// All records, and how to find some of them.
 pub struct Bars<'a> {
@@ -23,8 +14,6 @@ pub struct Bars<'a> {
     pub ours: &'a [Record],
     /// The rivals'.
     pub theirs: &'a [Record],
-    /// Whether a rival's record was measured beside terrella's.
-    pub now: &'a dyn Fn(&Record) -> bool,
 }
 
 /// The auxiliary latitudes that `geodesy` has.
@@ -32,6 +21,47 @@ const LATITUDES: [&str; 5] = ["authalic", "conformal", "rectifying", "parametric
 
 /// What a function on Earth-centred coordinates may be wrong by, in metres, to be called accurate.
 const ACCURATE: f64 = 1e-3;
+
+/// How many times as fast `f32` should be as `f64`.
+const SINGLE: f64 = 2.0;
+
+/// How many times the time of random pairs others may take.
+const SPECIAL: f64 = 1.3;
+
+/// Where a bar stands: its section, and its row and column if the section is a grid.
+type Place = (Section, Option<[String; 2]>);
+
+/// The comparisons for which both sides were measured.
+#[derive(Default)]
+struct List<'a>(Vec<Bar<'a>>);
+
+impl<'a> List<'a> {
+    fn add(&mut self, (section, cell): Place, what: &str, ours: Option<&'a Record>, against: Option<Against<'a>>) {
+        if let (Some(ours), Some(against)) = (ours, against) {
+            self.0.push(Bar {
+                section,
+                cell,
+                what: what.to_owned(),
+                ours,
+                against,
+            });
+        }
+    }
+
+    /// At least so many times as fast as another.
+    fn faster(&mut self, place: Place, what: &str, ours: Option<&'a Record>, other: Option<&'a Record>, times: f64) {
+        self.add(place, what, ours, other.map(|other| Against::Faster(other, times)));
+    }
+
+    /// At most so many times the time of another.
+    fn within(&mut self, place: Place, what: &str, ours: Option<&'a Record>, other: Option<&'a Record>, times: f64) {
+        self.add(place, what, ours, other.map(|other| Against::Within(other, times)));
+    }
+}
+
+fn cell(row: impl ToString, column: impl ToString) -> Option<[String; 2]> {
+    Some([row.to_string(), column.to_string()])
+}
 
 impl<'a> Bars<'a> {
     fn our(&self, operation: &str, method: &str, scalar: &str, mode: &str, input: &str) -> Option<&'a Record> {
@@ -46,155 +76,109 @@ impl<'a> Bars<'a> {
         })
     }
 
-    /// The fastest record of a library, of whatever build and call.
+    /// The fastest record of a library in `f64`, of whatever build and call.
     fn rival(&self, operation: &str, library: &str, method: &str, input: &str) -> Option<&'a Record> {
+        self.rival_in("f64", operation, library, method, input)
+    }
+
+    fn rival_in(&self, scalar: &str, operation: &str, library: &str, method: &str, input: &str) -> Option<&'a Record> {
         let fits = |record: &&Record| {
             record.operation == operation
                 && record.library.split(' ').next() == Some(library)
                 && record.method.contains(method)
                 && record.input == input
+                && record.scalar == scalar
         };
         let fastest = |a: &&Record, b: &&Record| a.ns_min.total_cmp(&b.ns_min);
         self.theirs.iter().filter(fits).min_by(fastest)
     }
 
-    /// All comparisons for which both sides were measured.
-    fn all(&self) -> Vec<Bar<'a>> {
-        let mut bars = Vec::new();
-        let mut add = |what: String, ours: Option<&'a Record>, other: Option<&'a Record>, wanted: f64| {
-            if let (Some(ours), Some(other)) = (ours, other) {
-                bars.push(Bar {
-                    what,
-                    ours,
-                    other,
-                    wanted,
-                });
-            }
-        };
-        let projected = |projection: Projection, direction: usize, ground: Ground, scalar: &str, mode: &str| {
-            let operation = format!("{projection} {}", ["forward", "inverse"][direction]);
-            self.our(
-                &operation,
-                &format!("{projection}; {}", ground.name()),
-                scalar,
-                mode,
-                "random",
-            )
-        };
+    /// All bars.
+    pub fn all(&self) -> Vec<Bar<'a>> {
+        let mut list = List::default();
+        self.geodesics(&mut list);
+        self.inputs(&mut list);
+        self.places(&mut list);
+        self.latitudes(&mut list);
+        self.projections(&mut list);
+        self.gnomonic(&mut list);
+        self.singles(&mut list);
+        list.0
+    }
 
-        for direction in [0, 1] {
-            let gnomonic = projected(Projection::Tangential, direction, Ground::Vector, "f64", "batch");
-            for &projection in &Projection::ALL[1..] {
-                let times = match projection {
-                    Projection::Conformal | Projection::CobeExact => 20.0,
-                    _ => 6.0,
-                };
-                let ours = projected(projection, direction, Ground::Vector, "f64", "batch");
-                add(
-                    format!("at most {times} × the gnomonic pass"),
-                    ours,
-                    gnomonic,
-                    1.0 / times,
-                );
-            }
-        }
-        for (direction, word) in ["forward", "inverse"].into_iter().enumerate() {
-            let ours = |projection, ground, mode| projected(projection, direction, ground, "f64", mode);
-            let rival = |projection: &str, library, method| {
-                self.rival(&format!("{projection} {word}"), library, method, "random")
-            };
-            let (qsc, s2q, healpix) = (
-                Projection::Quadrilateralized,
-                Projection::S2Quadratic,
-                Projection::Healpix,
-            );
-            for (mode, wanted) in [("batch", 30.0), ("one by one", 6.0)] {
-                add(
-                    format!("WCSLIB, {mode}"),
-                    ours(qsc, Ground::Vector, mode),
-                    rival("quadrilateralized", "WCSLIB", ""),
-                    wanted,
-                );
-            }
-            add(
-                "S2 in C++".to_owned(),
-                ours(s2q, Ground::Vector, "one by one"),
-                rival("s2-quadratic", "S2", ""),
-                1.0,
-            );
-            for (mode, wanted) in [("batch", 12.0), ("one by one", 3.0)] {
-                add(
-                    format!("PROJ, sphere, {mode}"),
-                    ours(qsc, Ground::Sphere, mode),
-                    rival("quadrilateralized", "PROJ", "+R=1"),
-                    wanted,
-                );
-                let wgs84 = rival("quadrilateralized", "PROJ", "WGS84");
-                add(
-                    format!("PROJ, WGS84, {mode}"),
-                    ours(qsc, Ground::Geocentric, mode),
-                    wgs84,
-                    wanted,
-                );
-            }
-            add(
-                "cdshealpix, batch".to_owned(),
-                ours(healpix, Ground::Sphere, "batch"),
-                rival("healpix", "cdshealpix", ""),
-                3.0,
-            );
-            for projection in [s2q, Projection::Adjusted, Projection::Tangential, healpix] {
-                let proj = rival(projection.name(), "PROJ", "+R=1");
-                add(
-                    "PROJ, one by one".to_owned(),
-                    ours(projection, Ground::Sphere, "one by one"),
-                    proj,
-                    3.0,
-                );
-            }
-        }
-
-        let geodesic = |operation, method, mode, input| self.our(operation, method, "f64", mode, input);
-        for (operation, input, batch) in [
-            ("inverse", "random", 6.0),
-            ("inverse", "antipodal mix", 3.0),
+    fn geodesics(&self, list: &mut List<'a>) {
+        let place = || (Section::Geodesics, None);
+        let ours = |operation, method, mode, input| self.our(operation, method, "f64", mode, input);
+        for (operation, input, times) in [
+            ("inverse", "random", 30.0),
+            ("inverse", "antipodal mix", 18.0),
             ("direct", "random", 6.0),
         ] {
             let theirs = self.rival(operation, "GeographicLib", "", input);
-            add(
-                format!("GeographicLib, batch, {input}"),
-                geodesic(operation, "karney", "batch", input),
-                theirs,
-                batch,
-            );
+            let what = format!("GeographicLib, batch, {input}");
+            list.faster(place(), &what, ours(operation, "karney", "batch", input), theirs, times);
         }
         for operation in ["inverse", "direct"] {
             for library in ["GeographicLib", "geographiclib-rs"] {
                 let theirs = self.rival(operation, library, "", "random");
-                let ours = geodesic(operation, "karney", "one by one", "random");
-                add(format!("{library}, one by one, random"), ours, theirs, 1.5);
+                let ours = ours(operation, "karney", "one by one", "random");
+                list.faster(place(), &format!("{library}, one by one"), ours, theirs, 1.5);
             }
         }
-        for (method, mode, input, wanted) in [
+        for (scalar, method, theirs, times) in [
+            ("f64", "great-circle", "Haversine", 1.3),
+            ("f32", "great-circle", "Haversine", 1.3),
+            ("f64", "vincenty", "Vincenty", 3.0),
+            ("f32", "vincenty", "Vincenty", 3.0),
+        ] {
+            let ours = self.our("distance", method, scalar, "batch", "random");
+            let what = format!("NumKong's {theirs}, batch");
+            let theirs = self.rival_in(scalar, "distance", "numkong", theirs, "random");
+            list.faster(place(), &what, ours, theirs, times);
+        }
+        for (scalar, ns) in [("f64", 7.0), ("f32", 2.0)] {
+            let ours = self.our("distance", "great-circle", scalar, "batch", "random");
+            list.add(place(), "time in batch", ours, Some(Against::Nanoseconds(ns)));
+        }
+        for method in ["great-circle", "haversine"] {
+            for (operation, call) in [("distance", "distance"), ("direct", "destination")] {
+                let theirs = self.rival(operation, "geo", &format!("Haversine.{call}"), "random");
+                let ours = ours(operation, method, "one by one", "random");
+                list.faster(place(), "geo's Haversine, one by one", ours, theirs, 1.0);
+            }
+        }
+        for (method, mode, input, times) in [
             ("vincenty", "batch", "random", 3.0),
             ("vincenty", "one by one", "random", 1.0),
             // Where it fails for most.
             ("karney", "one by one", "antipodal", 20.0),
         ] {
             let theirs = self.rival("distance", "geo", "vincenty", input);
-            add(
-                format!("geo's Vincenty, {mode}, {input}"),
-                geodesic("inverse", method, mode, input),
-                theirs,
-                wanted,
-            );
+            let what = format!("geo's Vincenty, {mode}, {input}");
+            list.faster(place(), &what, ours("inverse", method, mode, input), theirs, times);
         }
+    }
 
-        let ecef = |mode| self.our("ecef to geodetic", "Ellipsoid::to_geodetic", "f64", mode, "random");
-        for (mode, wanted) in [("batch", 10.0), ("one by one", 2.0)] {
-            let theirs = self.rival("ecef to geodetic", "GeographicLib", "", "random");
-            add(format!("GeographicLib, {mode}"), ecef(mode), theirs, wanted);
+    fn inputs(&self, list: &mut List<'a>) {
+        for method in Method::ALL {
+            let ours = |input| self.our("inverse", method.name(), "f64", "batch", input);
+            for pairing in Pairing::SPECIAL {
+                let place = (Section::Inputs, cell(method, pairing.name()));
+                let what = format!("random pairs; these are: {}", pairing.name());
+                list.within(place, &what, ours(pairing.name()), ours("random"), SPECIAL);
+            }
         }
+    }
+
+    fn places(&self, list: &mut List<'a>) {
+        let place = || (Section::Places, None);
+        let ours = |mode| self.our("ecef to geodetic", "Ellipsoid::to_geodetic", "f64", mode, "random");
+        let rival = |library| self.rival("ecef to geodetic", library, "", "random");
+        for (mode, times) in [("batch", 12.0), ("one by one", 2.0)] {
+            let what = format!("GeographicLib, {mode}");
+            list.faster(place(), &what, ours(mode), rival("GeographicLib"), times);
+        }
+        list.faster(place(), "Olson, one by one", ours("one by one"), rival("Olson"), 1.0);
         let accurate = self.theirs.iter().filter(|record| {
             // Of the crates, which are named in lower case.
             record.operation == "ecef to geodetic"
@@ -203,86 +187,135 @@ impl<'a> Bars<'a> {
                 && record.library.starts_with(char::is_lowercase)
         });
         let fastest = accurate.min_by(|a, b| a.ns_min.total_cmp(&b.ns_min));
-        add(
-            "the fastest accurate crate, one by one".to_owned(),
-            ecef("one by one"),
-            fastest,
-            1.2,
-        );
+        let what = "the fastest accurate crate, one by one";
+        list.faster(place(), what, ours("one by one"), fastest, 1.2);
+    }
 
+    fn latitudes(&self, list: &mut List<'a>) {
         for kind in LATITUDES {
-            for operation in [format!("{kind} latitude"), format!("{kind} to geodetic latitude")] {
-                for (mode, wanted) in [("batch", 4.0), ("one by one", 1.0)] {
+            for (operation, way) in [("latitude", "from geodetic"), ("to geodetic latitude", "to geodetic")] {
+                let operation = format!("{kind} {operation}");
+                for (mode, times) in [("batch", 4.0), ("one by one", 1.0)] {
                     let ours = self.our(&operation, "Conversion::radians", "f64", mode, "random");
-                    add(
-                        format!("geodesy, {mode}"),
-                        ours,
-                        self.rival(&operation, "geodesy", "", "random"),
-                        wanted,
-                    );
+                    let theirs = self.rival(&operation, "geodesy", "", "random");
+                    let place = (Section::Latitudes, cell(kind, format!("{way}, {mode}")));
+                    list.faster(place, &format!("geodesy, {mode}"), ours, theirs, times);
                 }
             }
         }
-
-        for single in self
-            .ours
-            .iter()
-            .filter(|r| r.scalar == "f32" && r.mode == "batch" && r.input == "random")
-        {
-            let is_bytes = single.operation.starts_with("bytes");
-            let double = self.our(&single.operation, &single.method, "f64", "batch", "random");
-            add(
-                "f32 against f64, batch".to_owned(),
-                Some(single),
-                double.filter(|_| !is_bytes),
-                1.7,
-            );
-        }
-        bars
     }
 
-    /// The table, and under it what was not met.
-    pub fn markdown(&self) -> String {
-        let mut text = String::from(
-            "| terrella | against | ns | other | measured | times as fast | wanted | |\n|---|---|--:|--:|---|--:|--:|---|\n",
+    fn projected(&self, projection: Projection, way: &str, ground: Ground, mode: &str) -> Option<&'a Record> {
+        let method = format!("{projection}; {}", ground.name());
+        self.our(&format!("{projection} {way}"), &method, "f64", mode, "random")
+    }
+
+    fn projections(&self, list: &mut List<'a>) {
+        let place = || (Section::Projections, None);
+        let (qsc, s2q, adjusted, healpix) = (
+            Projection::Quadrilateralized,
+            Projection::S2Quadratic,
+            Projection::Adjusted,
+            Projection::Healpix,
         );
-        let bars = self.all();
-        let mut short = Vec::new();
-        for bar in &bars {
-            let Bar {
-                what,
-                ours,
-                other,
-                wanted,
-            } = bar;
-            let ratio = other.ns_min / ours.ns_min;
-            let met = ratio >= *wanted;
-            let measured = match other.library == OURS || (self.now)(other) {
-                true => "now",
-                false => "kept",
+        for way in ["forward", "inverse"] {
+            let ours = |projection, ground, mode| self.projected(projection, way, ground, mode);
+            let rival = |projection: Projection, library, method| {
+                self.rival(&format!("{projection} {way}"), library, method, "random")
             };
-            let line = format!(
-                "| {}: {} | {what} | {:.2} | {:.2} | {measured} | {ratio:.2} | {wanted:.2} | {} |",
-                ours.operation,
-                ours.method,
-                ours.ns_min,
-                other.ns_min,
-                if met { "met" } else { "NOT MET" }
+            for (mode, times) in [("batch", 32.0), ("one by one", 6.0)] {
+                let what = format!("WCSLIB, {mode}");
+                list.faster(
+                    place(),
+                    &what,
+                    ours(qsc, Ground::Vector, mode),
+                    rival(qsc, "WCSLIB", ""),
+                    times,
+                );
+            }
+            let single = ours(s2q, Ground::Vector, "one by one");
+            list.faster(place(), "S2 in C++, one by one", single, rival(s2q, "S2", ""), 1.0);
+            for (mode, times) in [("batch", 12.0), ("one by one", 3.0)] {
+                for (ground, body, parameter) in [
+                    (Ground::Sphere, "sphere", "+R=1"),
+                    (Ground::Geocentric, "WGS84", "WGS84"),
+                ] {
+                    let what = format!("PROJ, {body}, {mode}");
+                    let theirs = rival(qsc, "PROJ", parameter);
+                    list.faster(place(), &what, ours(qsc, ground, mode), theirs, times);
+                }
+            }
+            let many = ours(healpix, Ground::Sphere, "batch");
+            list.faster(
+                place(),
+                "cdshealpix, batch",
+                many,
+                rival(healpix, "cdshealpix", ""),
+                3.0,
             );
-            let _ = writeln!(text, "{line}");
-            if !met {
-                short.push(line);
+            for projection in [s2q, adjusted, Projection::Tangential, healpix] {
+                let times = match (projection, way) {
+                    (Projection::S2Quadratic | Projection::Adjusted, "forward") => 2.0,
+                    _ => 3.0,
+                };
+                let ours = ours(projection, Ground::Sphere, "one by one");
+                list.faster(
+                    place(),
+                    "PROJ, sphere, one by one",
+                    ours,
+                    rival(projection, "PROJ", "+R=1"),
+                    times,
+                );
             }
         }
-        let _ = writeln!(
-            text,
-            "\n{} of {} met. \"now\": measured in this run or given as just measured; \"kept\": from benches/peers/peers.csv, taken in another run.",
-            bars.len() - short.len(),
-            bars.len()
-        );
-        if !short.is_empty() {
-            let _ = writeln!(text, "\nNot met:\n\n{}", short.join("\n"));
+    }
+
+    fn gnomonic(&self, list: &mut List<'a>) {
+        for &projection in &Projection::ALL[1..] {
+            let times = match projection {
+                Projection::Conformal | Projection::CobeExact => 20.0,
+                _ => 6.0,
+            };
+            for way in ["forward", "inverse"] {
+                let pass = |projection| self.projected(projection, way, Ground::Vector, "batch");
+                let place = (Section::Gnomonic, cell(projection, way));
+                list.within(
+                    place,
+                    "the gnomonic pass",
+                    pass(projection),
+                    pass(Projection::Tangential),
+                    times,
+                );
+            }
         }
-        text
+    }
+
+    fn singles(&self, list: &mut List<'a>) {
+        let is_single = |record: &&Record| {
+            let is_bytes = BYTES.contains(&record.operation.as_str());
+            // What holds about a place is timed in a field.
+            let is_place = record.chart == "scene" && record.method == Method::Plane.name();
+            let is_random = record.input == "random" || is_place;
+            record.scalar == "f32" && record.mode == "batch" && is_random && !is_bytes
+        };
+        for single in self.ours.iter().filter(is_single) {
+            let Record {
+                operation,
+                method,
+                input,
+                ..
+            } = single;
+            let double = self.our(operation, method, "f64", "batch", input);
+            let place = match single.chart.as_str() {
+                "projection" => {
+                    let (projection, ground) = method.split_once("; ").unwrap_or_default();
+                    let way = operation.rsplit(' ').next().unwrap_or_default();
+                    (Section::SingleProjections, cell(projection, format!("{way}, {ground}")))
+                }
+                "position" => (Section::SinglePlaces, cell(format!("{operation}: {method}"), "times")),
+                _ => (Section::SingleGeodesics, cell(method, operation)),
+            };
+            list.faster(place, "f64, batch", Some(single), double, SINGLE);
+        }
     }
 }

@@ -23,14 +23,16 @@ text{font-family:'Liberation Sans','DejaVu Sans',Arial,sans-serif;font-size:13px
 };
 
 const WIDTH: f64 = 1100.0;
-const LEFT: f64 = 100.0;
+const LEFT: f64 = 108.0;
 const RIGHT: f64 = 24.0;
 /// Width of the column with a key.
-const KEY: f64 = 190.0;
+const KEY: f64 = 236.0;
 /// Above the first panel, between panels, and under the last.
-const HEAD: f64 = 86.0;
+const HEAD: f64 = 86.0 + LINE;
 const BETWEEN: f64 = 92.0;
 const FOOT: f64 = 40.0;
+/// From line to line of the legend.
+const LINE: f64 = 22.0;
 
 /// Blue and vermilion of the palette of Okabe and Ito.
 const OURS: &str = "#0072b2";
@@ -80,31 +82,39 @@ pub fn draw(title: &str, caption: &str, panels: &[Panel], plot: f64) -> Svg {
     svg
 }
 
-fn legend(svg: &mut Svg, [mut x, y]: [f64; 2]) {
-    let middle = y - 4.5;
-    for (single, batch, name) in [
+/// Two lines: what the marks' shapes mean, and the rest.
+fn legend(svg: &mut Svg, [x, y]: [f64; 2]) {
+    let columns = (0..4).map(|column| x + 150.0 * f64::from(column));
+    for ((single, batch, name), x) in [
         (false, true, "f64 in batch"),
         (false, false, "f64 one by one"),
         (true, true, "f32 in batch"),
         (true, false, "f32 one by one"),
-    ] {
-        symbol(svg, [x + 6.0, middle], single, batch, OURS);
-        svg.text([x + 18.0, y], "", name);
-        x += 122.0;
+    ]
+    .into_iter()
+    .zip(columns.clone())
+    {
+        symbol(svg, [x + 6.0, y - 4.5], single, batch, OURS);
+        svg.text([x + 20.0, y], "", name);
     }
-    for (colour, name, width) in [(OURS, "terrella", 76.0), (THEIRS, "others", 68.0)] {
+    let (below, middle) = (y + LINE, y + LINE - 4.5);
+    for ((colour, name), x) in [(OURS, "terrella"), (THEIRS, "others")]
+        .into_iter()
+        .zip(columns.clone())
+    {
         svg.add(format_args!(
             "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"12\" height=\"12\" fill=\"{colour}\"/>",
             middle - 6.0
         ));
-        svg.text([x + 18.0, y], "", name);
-        x += width + 10.0;
+        svg.text([x + 20.0, below], "", name);
     }
-    cross(svg, [x + 6.0, middle]);
-    svg.text([x + 18.0, y], "", "fails for some");
-    x += 120.0;
-    svg.polyline(&[[x, middle], [x + 28.0, middle]], "front", "");
-    svg.text([x + 36.0, y], "", "nothing is faster and more exact");
+    let mut columns = columns.skip(2);
+    if let (Some(x), Some(wide)) = (columns.next(), columns.next()) {
+        cross(svg, [x + 6.0, middle]);
+        svg.text([x + 20.0, below], "", "fails for some");
+        svg.polyline(&[[wide, middle], [wide + 28.0, middle]], "front", "");
+        svg.text([wide + 36.0, below], "", "nothing is faster and more exact");
+    }
 }
 
 /// A circle for `f64`, a triangle for `f32`; filled for batch.
@@ -216,7 +226,7 @@ fn axes(svg: &mut Svg, x: &LogAxis, y: &LogAxis) {
         }
     }
     svg.text([right, bottom + 38.0], "tick end", "time per point →");
-    svg.upright([left - 80.0, top], "tick end", "largest error →");
+    svg.upright([left - 92.0, top], "tick end", "largest error →");
     svg.add(format_args!(
         "<rect class=\"frame\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>",
         right - left,

@@ -33,8 +33,8 @@ pub fn all(records: &[Record]) -> Vec<Chart> {
         });
         wanted.collect()
     };
-    let distance = |title: &str, input: &str, operations: [&str; 2]| {
-        let records = of("distance", input, &|operation| operations.contains(&operation));
+    let distance = |title: &str, input: &str, operation: &str| {
+        let records = of("distance", input, &|other| other == operation);
         named(title, &records, distance_name)
     };
     let position = |title: &str, operations: &dyn Fn(&str) -> bool| {
@@ -62,15 +62,16 @@ pub fn all(records: &[Record]) -> Vec<Chart> {
         Chart {
             file: "distances",
             title: "Geodesics on WGS84: time per point and largest error",
-            height: 480.0,
+            height: 600.0,
             panels: vec![
-                distance("Inverse: distance of random pairs", "random", ["inverse", "distance"]),
+                distance("Distance alone, of random pairs", "random", "distance"),
+                distance("Distance and both azimuths, of random pairs", "random", "inverse"),
                 distance(
-                    "Inverse: 20 % of the pairs nearly antipodal",
+                    "Distance and both azimuths, 20 % of the pairs nearly antipodal",
                     "antipodal mix",
-                    ["inverse", "distance"],
+                    "inverse",
                 ),
-                distance("Direct: random lines of up to 20 000 km", "random", ["direct", ""]),
+                distance("Ends of random lines of up to 20 000 km", "random", "direct"),
             ],
         },
         Chart {
@@ -171,9 +172,8 @@ fn distance_name(record: &Record) -> Option<String> {
     let method = record.method.split('.').next().unwrap_or_default();
     Some(match library {
         OURS => record.method.clone(),
-        // It is there with azimuths.
-        _ if record.method.contains("(distance only)") => return None,
         "geo" => format!("geo {method}"),
+        "numkong" => format!("NumKong {}", record.method),
         "geodesy" => "geodesy Vincenty".to_owned(),
         "sguaba" => "sguaba haversine".to_owned(),
         _ => library.to_owned(),
@@ -186,7 +186,10 @@ fn position_name(record: &Record) -> Option<String> {
     Some(if operation.contains("direction") {
         operation.to_owned()
     } else if library == OURS {
-        OURS.to_owned()
+        match record.method.strip_prefix("GeodeticSeries::") {
+            Some(order) => format!("series, {}", order.replace('_', " ")),
+            None => OURS.to_owned(),
+        }
     } else if record.method.contains("_fast") || record.method.contains("_extended") {
         let method = record.method.split(' ').next().unwrap_or_default();
         format!("{library} {method}")

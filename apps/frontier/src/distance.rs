@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use terrella::batch::geodesic;
-use terrella::geodesic::{AnyMethod, Geodesic, Method, Visitor};
+use terrella::geodesic::{Geodesic, Method, Visitor};
 use terrella::{Ellipsoid, LatLon};
 
 use crate::bench::{Bench, Mode, Task};
@@ -14,26 +14,33 @@ use timing::points::{Order, Pairing, WGS84_A, WGS84_F, lines, pairs};
 /// Lines of the truth that are longer go more than half way round, which no timed line does.
 const LONGEST: f64 = 2.1e7;
 
-/// Both problems in a scalar.
+/// The problems in a scalar.
 struct Problems<T> {
     inverse: Task<T>,
+    distance: Task<T>,
     direct: Task<T>,
 }
 
 impl<T: Scalar> Problems<T> {
     fn new(points: usize) -> Self {
-        let columns = ["lat1", "lon1", "lat2", "lon2"];
-        let truth = rows::<T>("geod_inverse_wgs84", &columns);
-        let set = |pairing| {
+        let set = |pairing: Pairing| {
             let p = pairs(pairing, points);
-            Rc::new(Set::new(vec![p.lat1, p.lon1, p.lat2, p.lon2]))
+            let set = Set::new(vec![p.lat1, p.lon1, p.lat2, p.lon2]);
+            (pairing.name(), Rc::new(set))
         };
-        let inverse = Task {
-            chart: "distance",
-            operation: "inverse".to_owned(),
-            inputs: Pairing::ALL.map(|pairing| (pairing.name(), set(pairing))).into(),
-            truth: inputs(&truth, columns),
-            error: Box::new(move |i, room: &Set<T>| truth[i].error("s12", room.columns[0][i])),
+        let [random, scan, mix, antipodal] = Pairing::COMMON.map(set);
+        let ordinary = vec![random, scan];
+        let all = [&ordinary[..], &[mix, antipodal], &Pairing::SPECIAL.map(set)].concat();
+        let pairs = |operation: &str, inputs_timed| {
+            let columns = ["lat1", "lon1", "lat2", "lon2"];
+            let truth = rows::<T>("geod_inverse_wgs84", &columns);
+            Task {
+                chart: "distance",
+                operation: operation.to_owned(),
+                inputs: inputs_timed,
+                truth: inputs(&truth, columns),
+                error: Box::new(move |i, room: &Set<T>| truth[i].error("s12", room.columns[0][i])),
+            }
         };
 
         let columns = ["lat1", "lon1", "azi1", "s12"];
@@ -54,35 +61,62 @@ impl<T: Scalar> Problems<T> {
                 displacement(lat, lon, truth[i].value("lat2"), 0.0)
             }),
         };
-        Self { inverse, direct }
+        Self {
+            distance: pairs("distance", ordinary),
+            inverse: pairs("inverse", all),
+            direct,
+        }
     }
+}
 
-    fn one_by_one(&self, bench: &mut Bench, name: &str, method: &impl Geodesic<T>) {
-        let inverse = each(|[lat1, lon1, lat2, lon2]| {
-            let line = method
-                .inverse(LatLon::new(lat1, lon1).ok()?, LatLon::new(lat2, lon2).ok()?)
-                .ok()?;
+/// Times a method, of this name, in both modes.
+pub struct Timed<'a, T> {
+    pub bench: &'a mut Bench,
+    pub name: &'a str,
+    /// Distance and both azimuths of pairs of places.
+    pub inverse: &'a Task<T>,
+    /// The distance alone.
+    pub distance: &'a Task<T>,
+    /// The ends of lines.
+    pub direct: &'a Task<T>,
+}
+
+impl<T: Scalar> Visitor<T> for Timed<'_, T> {
+    type Output = ();
+
+    fn visit<M: Geodesic<T>>(self, method: M) {
+        let Self { bench, name, .. } = self;
+        let single = each(|[lat1, lon1, lat2, lon2]| {
+            let line = method.inverse(LatLon::new(lat1, lon1).ok()?, LatLon::new(lat2, lon2).ok()?);
+            let line = line.ok()?;
             Some([line.distance, line.azimuth1, line.azimuth2])
         });
-        bench.run(&self.inverse, name, Mode::OneByOne, &inverse);
-        let direct = each(|[lat, lon, azimuth, distance]| {
+        bench.run(self.inverse, name, Mode::OneByOne, &single);
+        // A pair without an answer is NaN, and the others are there.
+        let many = batch(|[lat1, lon1, lat2, lon2], lines| {
+            let _ = geodesic::inverse(&method, [lat1, lon1], [lat2, lon2], lines);
+        });
+        bench.run(self.inverse, name, Mode::Batch, &many);
+
+        let single = each(|[lat1, lon1, lat2, lon2]| {
+            let distance = method.distance(LatLon::new(lat1, lon1).ok()?, LatLon::new(lat2, lon2).ok()?);
+            Some([distance.ok()?])
+        });
+        bench.run(self.distance, name, Mode::OneByOne, &single);
+        let many = batch(|[lat1, lon1, lat2, lon2], [distances]| {
+            let _ = geodesic::distance(&method, [lat1, lon1], [lat2, lon2], distances);
+        });
+        bench.run(self.distance, name, Mode::Batch, &many);
+
+        let single = each(|[lat, lon, azimuth, distance]| {
             let end = method.direct(LatLon::new(lat, lon).ok()?, azimuth, distance).ok()?;
             Some([end.position.lat(), end.position.lon(), end.azimuth])
         });
-        bench.run(&self.direct, name, Mode::OneByOne, &direct);
-    }
-
-    fn both(&self, bench: &mut Bench, name: &str, method: &impl Geodesic<T>) {
-        self.one_by_one(bench, name, method);
-        // A pair without an answer is NaN, and the others are there.
-        let inverse = batch(|[lat1, lon1, lat2, lon2], lines| {
-            let _ = geodesic::inverse(method, [lat1, lon1], [lat2, lon2], lines);
+        bench.run(self.direct, name, Mode::OneByOne, &single);
+        let many = batch(|[lat, lon, azimuth, distance], ends| {
+            let _ = geodesic::direct(&method, [lat, lon], azimuth, distance, ends);
         });
-        bench.run(&self.inverse, name, Mode::Batch, &inverse);
-        let direct = batch(|[lat, lon, azimuth, distance], ends| {
-            let _ = geodesic::direct(method, [lat, lon], azimuth, distance, ends);
-        });
-        bench.run(&self.direct, name, Mode::Batch, &direct);
+        bench.run(self.direct, name, Mode::Batch, &many);
     }
 }
 
@@ -111,23 +145,14 @@ pub fn run<T: Scalar>(bench: &mut Bench) {
     let problems = Problems::<T>::new(bench.points);
     // What holds about one place is timed by `scene`.
     for method in Method::ALL.iter().filter(|method| !method.needs_place()) {
-        let name = method.name();
-        match method.on(Ellipsoid::WGS84).expect("a method for the Earth") {
-            AnyMethod::Vincenty(m) => problems.both(bench, name, &m),
-            AnyMethod::Karney(m) => problems.both(bench, name, &m),
-            other => other.visit(OneByOne(&problems, bench, name)),
-        }
-    }
-}
-
-/// Times a method one by one.
-struct OneByOne<'a, T>(&'a Problems<T>, &'a mut Bench, &'a str);
-
-impl<T: Scalar> Visitor<T> for OneByOne<'_, T> {
-    type Output = ();
-
-    fn visit<M: Geodesic<T>>(self, method: M) {
-        let Self(problems, bench, name) = self;
-        problems.one_by_one(bench, name, &method);
+        let solver = method.on(Ellipsoid::WGS84).expect("a method for the Earth");
+        // Each by its own type, as where it is known when compiling.
+        solver.visit(Timed {
+            bench: &mut *bench,
+            name: method.name(),
+            inverse: &problems.inverse,
+            distance: &problems.distance,
+            direct: &problems.direct,
+        });
     }
 }

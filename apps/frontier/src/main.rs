@@ -18,6 +18,7 @@ mod position;
 mod projection;
 mod scene;
 mod set;
+mod table;
 mod truth;
 
 use std::path::Path;
@@ -46,9 +47,10 @@ fn run(options: &Options) -> Result<String, String> {
     let bars = Bars {
         ours: &ours,
         theirs: &theirs,
-        now: &|record| now.iter().any(|other| other.key() == record.key()),
     };
-    let table = bars.markdown();
+    let table = table::markdown(&bars.all(), &|record| {
+        now.iter().any(|other| other.key() == record.key())
+    });
     write(&out.join("bars.md"), table.as_bytes())?;
 
     let records: Vec<Record> = ours.iter().chain(&theirs).cloned().collect();

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use terrella::batch;
 use terrella::latitude::Conversion;
-use terrella::{Direction, Ecef, Ellipsoid, Geodetic, LatLon, Latitude};
+use terrella::{Direction, Ecef, Ellipsoid, Geodetic, GeodeticSeries, LatLon, Latitude};
 
 use crate::bench::{Bench, Error, Mode, Task};
 use crate::distance::{displacement, inputs};
@@ -15,6 +15,9 @@ use timing::record::METRES_PER_RADIAN;
 
 /// Heights of less are of no use to anybody, and most libraries do not claim them.
 const DEEPEST: f64 = -10_000.0;
+
+/// Heights that the errors of [`GeodeticSeries`] are told for, in metres.
+const NEAR: [f64; 2] = [-500.0, 1e5];
 
 fn task<T: Scalar>(
     operation: &str,
@@ -67,17 +70,21 @@ fn ecef<T: Scalar>(bench: &mut Bench) {
     bench.run(&out, "Ellipsoid::to_ecef", Mode::Batch, &many);
 
     let columns = ["X", "Y", "Z"];
-    let truth = high("ecef_reverse_wgs84", &columns);
-    let set = inputs::<T, _>(&truth, columns);
     let axes = |order| {
         let p = positions(order, n);
         vec![p.x, p.y, p.z]
     };
-    let error = move |i: usize, room: &Set<T>| {
-        let [lat, lon, up] = [("lat", 0), ("lon", 1), ("h", 2)].map(|(c, k)| truth[i].deviation(c, room.columns[k][i]));
-        displacement(lat, lon, truth[i].value("lat"), truth[i].value("h")).hypot(up)
+    let to_geodetic = |truth: Vec<Row<'static>>| {
+        let set = inputs::<T, _>(&truth, columns);
+        let error = move |i: usize, room: &Set<T>| {
+            let [lat, lon, up] =
+                [("lat", 0), ("lon", 1), ("h", 2)].map(|(c, k)| truth[i].deviation(c, room.columns[k][i]));
+            displacement(lat, lon, truth[i].value("lat"), truth[i].value("h")).hypot(up)
+        };
+        task("ecef to geodetic", axes, set, Box::new(error))
     };
-    let back = task("ecef to geodetic", axes, set, Box::new(error));
+    let truth = high("ecef_reverse_wgs84", &columns);
+    let back = to_geodetic(truth.clone());
     let single = each(|[x, y, z]| {
         let place = wgs84.to_geodetic(Ecef::new(x, y, z).ok()?);
         Some([place.lat(), place.lon(), place.height()])
@@ -85,6 +92,25 @@ fn ecef<T: Scalar>(bench: &mut Bench) {
     bench.run(&back, "Ellipsoid::to_geodetic", Mode::OneByOne, &single);
     let many = set::batch(|points, places| batch::ellipsoid::to_geodetic(wgs84, points, places).expect("points"));
     bench.run(&back, "Ellipsoid::to_geodetic", Mode::Batch, &many);
+
+    let near = |row: &Row| (NEAR[0]..=NEAR[1]).contains(&row.value("h"));
+    let back = to_geodetic(truth.into_iter().filter(near).collect());
+    let series = GeodeticSeries::new(wgs84);
+    macro_rules! order {
+        ($name:ident) => {
+            let single = each(|[x, y, z]| {
+                let place = series.$name(Ecef::new(x, y, z).ok()?);
+                Some([place.lat(), place.lon(), place.height()])
+            });
+            let name = concat!("GeodeticSeries::", stringify!($name));
+            bench.run(&back, name, Mode::OneByOne, &single);
+            let many = set::batch(|points, places| batch::ellipsoid::$name(series, points, places).expect("points"));
+            bench.run(&back, name, Mode::Batch, &many);
+        };
+    }
+    order!(second_order);
+    order!(third_order);
+    order!(fourth_order);
 }
 
 fn direction<T: Scalar>(bench: &mut Bench) {

@@ -1,22 +1,27 @@
-//! What scenes choose: a map of extents and tolerances, with the measured gain over Karney's distances in `f64` throughout.
+//! What scenes choose: a map of extents and tolerances, with the measured gain over Karney's distances in `f64` throughout, in batch against batch and one by one against one
+//! by one.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use image::{Rgb, RgbImage};
-use terrella::geodesic::{Geodesic, Method, Visitor};
+use terrella::Ellipsoid;
+use terrella::geodesic::Method;
 use terrella::scene::{Distances, Scalar, Scene};
-use terrella::{Ellipsoid, LatLon};
 
 use crate::bench::{Bench, Mode, Task};
 use crate::chart;
-use crate::set::{Set, each};
+use crate::distance::Timed;
+use crate::set::Set;
 use crate::truth;
 use draw::svg::{Area, LogAxis, Svg};
 use timing::points::Random;
 use timing::record::Record;
 
 pub const TITLE: &str = "The cheapest model of distances that keeps a tolerance";
+
+/// The operation that the map is about.
+const DISTANCE: &str = "distance";
 
 /// The latitude of the field that everything is timed in, and half of its width in degrees.
 const FIELD: [f64; 2] = [45.0, 0.05];
@@ -36,29 +41,34 @@ fn key((scalar, method): Kind) -> [String; 2] {
     }
 }
 
-/// Times the distances of all methods of scenes in a scalar, between places of a field.
+/// Longest of the timed lines, in metres.
+const LINE: f64 = 5000.0;
+
+/// Times all methods of scenes in a scalar, on places and lines of a field.
 pub fn run<T: truth::Scalar>(bench: &mut Bench) {
     let field = Scene::around(Ellipsoid::WGS84, FIELD[0], 1e4);
     for local in [false, true] {
         if local && T::DIGITS == f64::MANTISSA_DIGITS {
             break;
         }
+        let points = bench.points;
         let mut random = Random::new(90);
-        let mut column = |middle: f64| -> Vec<f64> {
-            let middle = if local { 0.0 } else { middle };
-            (0..bench.points)
-                .map(|_| middle + random.within(-FIELD[1], FIELD[1]))
-                .collect()
-        };
-        let columns = [FIELD[0], 8.0, FIELD[0], 8.0].map(&mut column);
-        let task = Task {
+        let mut column =
+            |middle: f64, half: f64| -> Vec<f64> { (0..points).map(|_| middle + random.within(-half, half)).collect() };
+        let [lat, lon] = if local { [0.0; 2] } else { [FIELD[0], 8.0] };
+        let places = [lat, lon, lat, lon].map(|middle| column(middle, FIELD[1]));
+        let lines = [(lat, FIELD[1]), (lon, FIELD[1]), (0.0, 180.0), (0.5 * LINE, 0.5 * LINE)];
+        let lines = lines.map(|(middle, half)| column(middle, half));
+        let task = |operation: &str, columns: &[Vec<f64>; 4]| Task {
             chart: "scene",
-            operation: "distance".to_owned(),
-            inputs: vec![("field", Rc::new(Set::<T>::new(columns.into())))],
+            operation: operation.to_owned(),
+            inputs: vec![("field", Rc::new(Set::<T>::new(columns.to_vec())))],
             // Its errors are what `tests/scene` is about.
             truth: Set::new(vec![Vec::new(); 4]),
             error: Box::new(|_, _| f64::NAN),
         };
+        let [inverse, distance] = ["inverse", DISTANCE].map(|operation| task(operation, &places));
+        let direct = task("direct", &lines);
         let scalar = if T::DIGITS == f64::MANTISSA_DIGITS {
             Scalar::Double
         } else if local {
@@ -72,33 +82,16 @@ pub fn run<T: truth::Scalar>(bench: &mut Bench) {
                 continue;
             }
             let way: Distances<T> = scene.distances_by(method).expect("a scene");
-            let [key, _] = key((scalar, method));
+            let [name, _] = key((scalar, method));
             // Each by its own type, as where the scene is a constant.
             way.solver().visit(Timed {
-                bench,
-                task: &task,
-                key: &key,
+                bench: &mut *bench,
+                name: &name,
+                inverse: &inverse,
+                distance: &distance,
+                direct: &direct,
             });
         }
-    }
-}
-
-/// Times the distances of a method.
-struct Timed<'a, T> {
-    bench: &'a mut Bench,
-    task: &'a Task<T>,
-    key: &'a str,
-}
-
-impl<T: truth::Scalar> Visitor<T> for Timed<'_, T> {
-    type Output = ();
-
-    fn visit<M: Geodesic<T>>(self, method: M) {
-        let pass = each(|[lat1, lon1, lat2, lon2]| {
-            let way = method.inverse(LatLon::new(lat1, lon1).ok()?, LatLon::new(lat2, lon2).ok()?);
-            Some([way.ok()?.distance])
-        });
-        self.bench.run(self.task, self.key, Mode::OneByOne, &pass);
     }
 }
 
@@ -110,20 +103,29 @@ const PLOT: f64 = 400.0;
 const LEFT: f64 = 90.0;
 const TOP: f64 = 110.0;
 
+/// The key under the maps: rows of a column, its width, and the right ends of its numbers.
+const ROWS: usize = 7;
+const COLUMN: f64 = 500.0;
+const IN_BATCH: f64 = 310.0;
+const ONE_BY_ONE: f64 = 400.0;
+
 /// The map of what is chosen around a latitude, and of what is when none is known.
 pub fn draw(records: &[Record], caption: &str) -> Result<Svg, String> {
-    let times: BTreeMap<[String; 2], f64> = records
-        .iter()
-        .filter(|record| record.chart == "scene")
-        .map(|record| ([record.method.clone(), record.scalar.clone()], record.ns_median))
-        .collect();
-    let time = |kind: Kind| times.get(&key(kind)).copied().unwrap_or(f64::INFINITY);
-    let mut svg = Svg::new(1100.0, TOP + PLOT + 264.0);
+    let times = |mode: Mode| -> BTreeMap<[String; 2], f64> {
+        let fits =
+            |record: &&Record| record.chart == "scene" && record.operation == DISTANCE && record.mode == mode.name();
+        let time = |record: &Record| ([record.method.clone(), record.scalar.clone()], record.ns_min);
+        records.iter().filter(fits).map(time).collect()
+    };
+    let (batch, single) = (times(Mode::Batch), times(Mode::OneByOne));
+    let of = |times: &BTreeMap<[String; 2], f64>, kind: Kind| times.get(&key(kind)).copied().unwrap_or(f64::INFINITY);
+    let time = |kind: Kind| of(&batch, kind);
+    let mut svg = Svg::new(1100.0, TOP + PLOT + 348.0);
     svg.text([LEFT, 34.0], "title", TITLE);
     svg.text(
         [LEFT, 58.0],
         "tick",
-        "Scene::distances on WGS 84, and how many times as fast as Karney's in f64 it is, one by one",
+        "Scene::distances on WGS 84. Of its answers in f32 and f64, what is fastest in batch; and how many times as fast as Karney's in f64 that is",
     );
     let around: fn(f64) -> Scene = |extent| Scene::around(Ellipsoid::WGS84, FIELD[0], 0.5 * extent);
     let anywhere: fn(f64) -> Scene = |extent| Scene::new(Ellipsoid::WGS84).up_to(extent);
@@ -160,25 +162,29 @@ pub fn draw(records: &[Record], caption: &str) -> Result<Svg, String> {
         axes(&mut svg, frame);
     }
     kinds.sort_by(|a, b| time(*a).total_cmp(&time(*b)));
-    let karney = time((Scalar::Double, Method::Karney));
-    for (i, kind) in kinds.iter().enumerate() {
-        let [x, y] = [LEFT + 330.0 * (i % 3) as f64, TOP + PLOT + 84.0 + 26.0 * (i / 3) as f64];
-        swatch(&mut svg, [x, y], colour(*kind));
-        let gain = karney / time(*kind);
-        svg.text(
-            [x + 24.0, y],
-            "",
-            &format!("{}: {gain:.1} times", key(*kind).join(", ")),
-        );
+    let karney = (Scalar::Double, Method::Karney);
+    let gain = |times: &BTreeMap<[String; 2], f64>, kind: Kind| format!("{:.1}", of(times, karney) / of(times, kind));
+    let head = TOP + PLOT + 84.0;
+    for column in 0..kinds.len().div_ceil(ROWS).max(1) {
+        for (at, text) in [(IN_BATCH, "in batch"), (ONE_BY_ONE, "one by one")] {
+            svg.text([LEFT + COLUMN * column as f64 + at, head], "tick end", text);
+        }
     }
-    let y = TOP + PLOT + 84.0 + 26.0 * kinds.len().div_ceil(3) as f64;
+    for (i, kind) in kinds.iter().enumerate() {
+        let [x, y] = [LEFT + COLUMN * (i / ROWS) as f64, head + 26.0 * (i % ROWS + 1) as f64];
+        swatch(&mut svg, [x, y], colour(*kind));
+        svg.text([x + 24.0, y], "", &key(*kind).join(", "));
+        svg.text([x + IN_BATCH, y], "end", &gain(&batch, *kind));
+        svg.text([x + ONE_BY_ONE, y], "end", &gain(&single, *kind));
+    }
+    let y = head + 26.0 * (ROWS + 1) as f64;
     swatch(&mut svg, [LEFT, y], Rgb([0xe6; 3]));
     svg.text(
         [LEFT + 24.0, y],
         "",
         "nothing: an error that says what would be reached",
     );
-    svg.text([LEFT, TOP + PLOT + 246.0], "tick", caption);
+    svg.text([LEFT, TOP + PLOT + 330.0], "tick", caption);
     Ok(svg)
 }
 
@@ -195,6 +201,7 @@ fn colour((scalar, method): Kind) -> Rgb<u8> {
     let hue = match method {
         Method::Plane => [0x00, 0x9e, 0x73],
         Method::Flat => [0x56, 0xb4, 0xe9],
+        Method::Gauss => [0xd5, 0x5e, 0x00],
         Method::GreatCircle => [0xe6, 0x9f, 0x00],
         Method::Andoyer => [0xcc, 0x79, 0xa7],
         _ => [0x3c, 0x3c, 0x3c],

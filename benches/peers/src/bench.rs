@@ -1,43 +1,59 @@
 //! Speed of a pass on the timed sets, its largest error on the truth.
 
-use crate::pass::{Pass, Set};
+use crate::pass::{Pass, Scalar, Set};
 use timing::record::Record;
-use timing::{REPETITIONS, time};
+use timing::time;
 
 /// The error of a row of the truth in metres, given the results of all.
 type ErrorOf = Box<dyn Fn(usize, &Set) -> Option<f64>>;
 
 /// What is computed, on which points, and what it should give. One per operation and convention of coordinates.
-pub struct Task {
+pub struct Task<T = f64> {
     /// The chart.
     pub chart: &'static str,
     /// What is computed.
     pub operation: String,
     /// Name and points of the sets that are timed.
-    pub inputs: Vec<(&'static str, Set)>,
+    pub inputs: Vec<(&'static str, Set<T>)>,
     /// The inputs of the truth file.
-    pub truth: Set,
+    pub truth: Set<T>,
     /// The error in metres of a row, given all results; `None` where the row says nothing.
     pub error: ErrorOf,
+}
+
+impl Task {
+    /// The same in another scalar.
+    pub fn rounded<T: Scalar>(self) -> Task<T> {
+        let rounded = |(name, set): (_, Set)| (name, set.rounded());
+        Task {
+            chart: self.chart,
+            operation: self.operation,
+            inputs: self.inputs.into_iter().map(rounded).collect(),
+            truth: self.truth.rounded(),
+            error: self.error,
+        }
+    }
 }
 
 /// The records so far.
 pub struct Bench {
     /// Only what has this text in its key is run.
     pub only: String,
+    /// Timed passes over a set.
+    pub repetitions: usize,
     /// What was measured.
     pub records: Vec<Record>,
 }
 
 impl Bench {
     /// Times one function of a library and measures its error.
-    pub fn run(&mut self, task: &Task, library: &str, method: &str, mode: &str, pass: &Pass) {
+    pub fn run<T: Scalar>(&mut self, task: &Task<T>, library: &str, method: &str, mode: &str, pass: &Pass<T>) {
         let mut record = Record {
             chart: task.chart.to_owned(),
             operation: task.operation.clone(),
             library: library.to_owned(),
             method: method.to_owned(),
-            scalar: "f64".to_owned(),
+            scalar: T::NAME.to_owned(),
             mode: mode.to_owned(),
             input: String::new(),
             ns_min: f64::NAN,
@@ -53,8 +69,11 @@ impl Bench {
             let mut room = Set::room(set.len());
             // A pass that gives faces overwrites them, one that reads them finds them.
             room.face.copy_from_slice(&set.face);
-            let timing = time(set.len(), REPETITIONS, |range| pass(set, &mut room, range));
-            let failed = room.columns[0].iter().filter(|value| !value.is_finite()).count();
+            let timing = time(set.len(), self.repetitions, |range| pass(set, &mut room, range));
+            let failed = room.columns[0]
+                .iter()
+                .filter(|&&value| !value.into().is_finite())
+                .count();
             record.input = (*input).to_owned();
             record.ns_min = timing.min;
             record.ns_median = timing.median;
@@ -65,10 +84,11 @@ impl Bench {
     }
 }
 
-fn largest_error(task: &Task, pass: &Pass) -> f64 {
+fn largest_error<T: Scalar>(task: &Task<T>, pass: &Pass<T>) -> f64 {
     let mut room = Set::room(task.truth.len());
     room.face.copy_from_slice(&task.truth.face);
     pass(&task.truth, &mut room, 0..task.truth.len());
+    let (truth, room): (Set, Set) = (task.truth.rounded(), room.rounded());
     let rows = (0..task.truth.len()).filter(|&i| room.columns[0][i].is_finite());
     let worst = rows
         .filter_map(|i| Some((i, (task.error)(i, &room)?)))
@@ -77,11 +97,10 @@ fn largest_error(task: &Task, pass: &Pass) -> f64 {
         && std::env::var_os("PEERS_WORST").is_some()
     {
         let row = |set: &Set| set.columns.iter().map(|column| column[i]).collect::<Vec<_>>();
-        let truth = &task.truth;
         eprintln!(
             "worst {error:e}: {} {:?} -> {:?}",
             truth.face[i],
-            row(truth),
+            row(&truth),
             row(&room)
         );
     }

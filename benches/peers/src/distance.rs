@@ -3,10 +3,11 @@
 use geo::{Destination, Distance, Geodesic, Haversine, Point, VincentyDistance};
 use geodesy::prelude::*;
 use geographiclib_rs::{DirectGeodesic, InverseGeodesic};
+use numkong::Geospatial;
 use uom::si::length::meter;
 
 use crate::bench::{Bench, Task};
-use crate::pass::{Pass, Set, each};
+use crate::pass::{Pass, Scalar, Set, batch, each};
 use crate::position::place;
 use crate::shim::Shim;
 use crate::truth::{Exact, Truth};
@@ -17,17 +18,20 @@ use timing::points::{Order, Pairing, WGS84_A, WGS84_F, lines, pairs};
 const N: usize = timing::points::N;
 
 fn inverse_task(operation: &str, unit: Unit) -> Task {
+    inverse_task_of(operation, unit, Truth::read("geod_inverse_wgs84"))
+}
+
+fn inverse_task_of(operation: &str, unit: Unit, truth: Truth) -> Task {
     let set = |pairing| {
         let p = pairs(pairing, N);
         unit.of(Set::new(vec![p.lat1, p.lon1, p.lat2, p.lon2]), &[0, 1, 2, 3])
     };
-    let truth = Truth::read("geod_inverse_wgs84");
     let column = |name| truth.values(name);
     let distance = truth.exact("s12");
     Task {
         chart: "distance",
         operation: operation.to_owned(),
-        inputs: Pairing::ALL.map(|pairing| (pairing.name(), set(pairing))).into(),
+        inputs: Pairing::COMMON.map(|pairing| (pairing.name(), set(pairing))).into(),
         truth: unit.of(
             Set::new(vec![column("lat1"), column("lon1"), column("lat2"), column("lon2")]),
             &[0, 1, 2, 3],
@@ -72,6 +76,28 @@ pub fn displacement(lat_off: f64, lon_off: f64, lat: f64, height: f64) -> f64 {
     east.hypot((along + height) * lat_off.to_radians())
 }
 
+/// NumKong's distances in batch, of places in radians. In `f32`, its errors are those of the rows whose degrees are
+/// exact in it.
+fn numkong<T: Geospatial + Scalar + 'static>(bench: &mut Bench) {
+    let exact = |degrees: &str| degrees.parse::<f64>().is_ok_and(|value| T::of(value).into() == value);
+    let columns = ["lat1", "lon1", "lat2", "lon2"];
+    let truth = Truth::read("geod_inverse_wgs84");
+    let truth = columns
+        .into_iter()
+        .fold(truth, |truth, column| truth.keep(column, exact));
+    let task = inverse_task_of("distance", Unit::Radians, truth).rounded::<T>();
+    let library = crate::crate_version("numkong");
+    let slices = "slices of equal length";
+    let haversine = batch(move |[lat1, lon1, lat2, lon2], distances| {
+        T::haversine(lat1, lon1, lat2, lon2, distances).expect(slices);
+    });
+    bench.run(&task, &library, "Haversine", "batch", &haversine);
+    let vincenty = batch(move |[lat1, lon1, lat2, lon2], distances| {
+        T::vincenty(lat1, lon1, lat2, lon2, distances).expect(slices);
+    });
+    bench.run(&task, &library, "Vincenty", "batch", &vincenty);
+}
+
 /// Runs the chart.
 pub fn run(bench: &mut Bench) {
     let inverse = inverse_task("inverse", Unit::Degrees);
@@ -88,6 +114,8 @@ pub fn run(bench: &mut Bench) {
         one_by_one(bench, &distance, &shim, "geod_inverse (distance only)", "distance");
         one_by_one(bench, &direct, &shim, "geod_direct", "direct");
     }
+    numkong::<f64>(bench);
+    numkong::<f32>(bench);
     let mut run = |task: &Task, library: &str, method: &str, pass: Pass| {
         bench.run(task, library, method, "one by one", &pass);
     };

@@ -1,8 +1,8 @@
 //! Speed and largest error of other libraries, on the points and truth data that terrella's own `frontier` uses.
 //!
-//! `peers [--runs N] [--only TEXT] [--add] [--csv FILE]`: N runs in processes of their own, joined; written to FILE,
+//! `peers [--runs N] [--quick] [--only TEXT] [--add] [--csv FILE]`: N runs in processes of their own, joined; written to FILE,
 //! `peers.csv` beside this crate's manifest unless told. With `--only`, records whose key has the text; others that the file
-//! has stay. With `--add`, the file's records are joined as one more run.
+//! has stay. With `--quick`, one pass is timed: errors are right, times are not. With `--add`, the file's records are joined as one more run.
 //! `peers --table [--csv FILE]` prints the file as the tables of `README.md`.
 
 use std::path::PathBuf;
@@ -20,6 +20,7 @@ mod truth;
 use bench::{Bench, Task};
 use pass::Set;
 use shim::Shim;
+use timing::record;
 use truth::Exact;
 
 /// The unit of angles that a library takes and gives. What is not timed converts.
@@ -69,7 +70,7 @@ pub fn crate_version(name: &str) -> String {
 fn main() -> std::io::Result<()> {
     let mut arguments = std::env::args().skip(1);
     let (mut runs, mut only) = (1, String::new());
-    let (mut add, mut one_run, mut table) = (false, false, false);
+    let (mut add, mut one_run, mut table, mut quick) = (false, false, false, false);
     let mut csv = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/peers.csv"));
     while let Some(argument) = arguments.next() {
         let mut value = || arguments.next().unwrap_or_else(|| panic!("{argument} wants a value"));
@@ -79,6 +80,7 @@ fn main() -> std::io::Result<()> {
             "--csv" => csv = value().into(),
             "--one-run" => one_run = true,
             "--add" => add = true,
+            "--quick" => quick = true,
             "--table" => table = true,
             _ => panic!("unknown: {argument}"),
         }
@@ -89,6 +91,7 @@ fn main() -> std::io::Result<()> {
     if one_run {
         let mut bench = Bench {
             only,
+            repetitions: if quick { 1 } else { timing::REPETITIONS },
             records: Vec::new(),
         };
         projection::run(&mut bench);
@@ -103,6 +106,7 @@ fn main() -> std::io::Result<()> {
         let status = child
             .args(["--one-run", "--only", &only, "--csv"])
             .arg(&fresh)
+            .args(quick.then_some("--quick"))
             .status()?;
         assert!(status.success(), "run {run}: {status}");
     }

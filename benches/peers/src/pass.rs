@@ -3,18 +3,43 @@
 use std::array::from_fn;
 use std::ops::Range;
 
+/// What a library computes in.
+pub trait Scalar: Copy + Into<f64> {
+    /// The word for a record's `scalar`.
+    const NAME: &str;
+
+    /// The nearest.
+    fn of(value: f64) -> Self;
+}
+
+impl Scalar for f64 {
+    const NAME: &str = "f64";
+
+    fn of(value: f64) -> Self {
+        value
+    }
+}
+
+impl Scalar for f32 {
+    const NAME: &str = "f32";
+
+    fn of(value: f64) -> Self {
+        value as f32
+    }
+}
+
 /// Points: up to four coordinates, and a face where one is known or wanted.
 #[derive(Clone, Default)]
-pub struct Set {
+pub struct Set<T = f64> {
     /// 0 to 5.
     pub face: Vec<u8>,
     /// The coordinates, each of the same length.
-    pub columns: Vec<Vec<f64>>,
+    pub columns: Vec<Vec<T>>,
 }
 
-impl Set {
+impl<T: Scalar> Set<T> {
     /// Points without faces.
-    pub fn new(columns: Vec<Vec<f64>>) -> Self {
+    pub fn new(columns: Vec<Vec<T>>) -> Self {
         Self {
             face: vec![0; columns[0].len()],
             columns,
@@ -22,7 +47,7 @@ impl Set {
     }
 
     /// Points on faces.
-    pub fn on(face: Vec<u8>, columns: Vec<Vec<f64>>) -> Self {
+    pub fn on(face: Vec<u8>, columns: Vec<Vec<T>>) -> Self {
         Self { face, columns }
     }
 
@@ -30,7 +55,7 @@ impl Set {
     pub fn room(n: usize) -> Self {
         Self {
             face: vec![0; n],
-            columns: vec![vec![f64::NAN; n]; 3],
+            columns: vec![vec![T::of(f64::NAN); n]; 3],
         }
     }
 
@@ -39,6 +64,17 @@ impl Set {
         self.face.len()
     }
 
+    /// The same in another scalar.
+    pub fn rounded<U: Scalar>(&self) -> Set<U> {
+        let rounded = |column: &Vec<T>| column.iter().map(|&value| U::of(value.into())).collect();
+        Set {
+            face: self.face.clone(),
+            columns: self.columns.iter().map(rounded).collect(),
+        }
+    }
+}
+
+impl Set {
     /// A column changed: for other units.
     pub fn map(mut self, column: usize, change: impl Fn(f64) -> f64) -> Self {
         self.columns[column]
@@ -63,7 +99,7 @@ impl Set {
 }
 
 /// Reads the points of the first set that the range tells, fills the second. A point that fails gives a first result that is not finite.
-pub type Pass = Box<dyn Fn(&Set, &mut Set, Range<usize>)>;
+pub type Pass<T = f64> = Box<dyn Fn(&Set<T>, &mut Set<T>, Range<usize>)>;
 
 /// The pass that calls `function` once per point: `I` coordinates in, `O` results out.
 pub fn each<const I: usize, const O: usize>(function: impl Fn([f64; I]) -> [f64; O] + 'static) -> Pass {
@@ -78,5 +114,15 @@ pub fn each<const I: usize, const O: usize>(function: impl Fn([f64; I]) -> [f64;
                 outputs[k][i] = results[k];
             }
         }
+    })
+}
+
+/// The pass that hands a function all points of the range at once: `I` coordinates in, one result out.
+pub fn batch<T: Scalar + 'static, const I: usize>(function: impl Fn([&[T]; I], &mut [T]) + 'static) -> Pass<T> {
+    Box::new(move |set, room, range| {
+        function(
+            from_fn(|k| &set.columns[k][range.clone()]),
+            &mut room.columns[0][range.clone()],
+        )
     })
 }

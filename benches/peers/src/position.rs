@@ -188,6 +188,10 @@ pub fn run(bench: &mut Bench) {
             );
         }
     }
+    for shim in Shim::alone("olson", "Olson") {
+        let back = to_geodetic(Unit::Radians, First::Latitude);
+        one_by_one(bench, &back, &shim, "latlon", "to_geodetic");
+    }
 
     let mut run = |task: &Task, library: &str, method: &str, pass: Pass| {
         bench.run(task, library, method, "one by one", &pass);

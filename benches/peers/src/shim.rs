@@ -19,7 +19,15 @@ pub struct Shim {
 impl Shim {
     /// The builds of a rival that there are, the missing ones named on the error stream.
     pub fn all(name: &str, called: &str) -> Vec<Self> {
-        let builds = [("debian", "Debian"), ("source", "-O3 LTO")];
+        Self::of(name, called, &[("debian", "Debian"), ("source", "-O3 LTO")])
+    }
+
+    /// What is in the shim itself, no library beside it.
+    pub fn alone(name: &str, called: &str) -> Vec<Self> {
+        Self::of(name, called, &[("alone", "-O3")])
+    }
+
+    fn of(name: &str, called: &str, builds: &[(&str, &str)]) -> Vec<Self> {
         let shims = builds.iter().filter_map(|(suffix, build)| {
             let path = Path::new(env!("OUT_DIR")).join(format!("{name}-{suffix}.so"));
             if !path.exists() {

@@ -26,7 +26,12 @@ pub fn print(records: &[Record]) {
                 continue;
             }
             done.push(function);
-            let [_, operation, library, method, _, mode] = function;
+            let [_, operation, library, method, scalar, mode] = function;
+            let scalar = if scalar == "f64" {
+                String::new()
+            } else {
+                format!(", {scalar}")
+            };
             let cells: Vec<String> = inputs
                 .iter()
                 .map(|&input| {
@@ -38,7 +43,7 @@ pub fn print(records: &[Record]) {
                 .collect();
             let error = record.error;
             println!(
-                "| {operation} | {library} | {method} | {mode} | {} | {error:.1e} |",
+                "| {operation} | {library} | {method}{scalar} | {mode} | {} | {error:.1e} |",
                 cells.join(" | ")
             );
         }

@@ -188,11 +188,20 @@ pub enum Pairing {
     AntipodalMix,
     /// All within 0.5° of the antipode.
     Antipodal,
+    /// The second place is the first.
+    Identical,
+    /// Random longitudes, both places on the equator.
+    Equator,
+    /// Random, with longitudes of 0° to 360°.
+    FullTurn,
 }
 
 impl Pairing {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Random, Self::Scan, Self::AntipodalMix, Self::Antipodal];
+    /// What rivals are timed on, too.
+    pub const COMMON: [Self; 4] = [Self::Random, Self::Scan, Self::AntipodalMix, Self::Antipodal];
+
+    /// Data as it also comes: to be computed about as fast as random pairs.
+    pub const SPECIAL: [Self; 3] = [Self::Identical, Self::Equator, Self::FullTurn];
 
     /// The words for a record's `input`.
     pub fn name(self) -> &'static str {
@@ -201,6 +210,9 @@ impl Pairing {
             Self::Scan => "scan",
             Self::AntipodalMix => "antipodal mix",
             Self::Antipodal => "antipodal",
+            Self::Identical => "identical",
+            Self::Equator => "equator",
+            Self::FullTurn => "0 to 360",
         }
     }
 }
@@ -213,9 +225,9 @@ pub fn pairs(pairing: Pairing, n: usize) -> Pairs {
     let mut random = Random::new(4);
     let raster = lat_lons(Order::Scan, n);
     let share = match pairing {
-        Pairing::Random | Pairing::Scan => 0.0,
         Pairing::AntipodalMix => 0.2,
         Pairing::Antipodal => 1.0,
+        _ => 0.0,
     };
     let mut pair = |i: usize| {
         if pairing == Pairing::Scan {
@@ -231,7 +243,13 @@ pub fn pairs(pairing: Pairing, n: usize) -> Pairs {
         } else {
             other
         };
-        (lat_lon(from), lat_lon(to))
+        let ((lat1, lon1), (lat2, lon2)) = (lat_lon(from), lat_lon(to));
+        match pairing {
+            Pairing::Identical => ((lat1, lon1), (lat1, lon1)),
+            Pairing::Equator => ((0.0, lon1), (0.0, lon2)),
+            Pairing::FullTurn => ((lat1, lon1 + 180.0), (lat2, lon2 + 180.0)),
+            _ => ((lat1, lon1), (lat2, lon2)),
+        }
     };
     let ((lat1, lon1), (lat2, lon2)) = (0..n).map(&mut pair).unzip();
     Pairs { lat1, lon1, lat2, lon2 }

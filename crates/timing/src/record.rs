@@ -27,7 +27,7 @@ pub struct Record {
     pub scalar: String,
     /// `one by one` or `batch`.
     pub mode: String,
-    /// The set of points: `random`, `scan`, `antipodal mix` or `antipodal`.
+    /// The set of points: `random`, `scan`, or one of `Pairing`.
     pub input: String,
     /// Nanoseconds per point: the least, as `Timing::min` has it.
     pub ns_min: f64,
