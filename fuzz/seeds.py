@@ -19,7 +19,8 @@ def rows(name):
 
 
 def properties(target):
-    text = (ROOT / "tests/properties" / f"{target}.rs").read_text()
+    room = "slices" if target == "batch" else "properties"
+    text = (ROOT / "tests" / room / f"{target}.rs").read_text()
     return re.search(r"properties! \{([\w\s]*)\}", text)[1].split()
 
 
