@@ -20,7 +20,8 @@ def rows(name):
 
 def properties(target):
     room = "slices" if target == "batch" else "properties"
-    text = (ROOT / "tests" / room / f"{target}.rs").read_text()
+    file = "batch/mod.rs" if target == "batch" else f"{target}.rs"
+    text = (ROOT / "tests" / room / file).read_text()
     return re.search(r"properties! \{([\w\s]*)\}", text)[1].split()
 
 
