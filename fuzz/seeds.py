@@ -19,7 +19,9 @@ def rows(name):
 
 
 def properties(target):
-    text = (ROOT / "tests/properties" / f"{target}.rs").read_text()
+    room = "slices" if target == "batch" else "properties"
+    file = "batch/mod.rs" if target == "batch" else f"{target}.rs"
+    text = (ROOT / "tests" / room / file).read_text()
     return re.search(r"properties! \{([\w\s]*)\}", text)[1].split()
 
 

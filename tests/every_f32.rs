@@ -6,11 +6,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use rayon::prelude::*;
 use terrella::cube::{CubeProjection, Face, Quadrilateralized, Vertex};
 use terrella::latitude::Conversion;
 use terrella::{Ellipsoid, Latitude, Real, math};
-use testkit::{maximum, minimum, table};
+use testkit::{maximum, minimum, parallel, table};
 
 /// The largest error, and where.
 #[derive(Clone, Copy, Debug, Default)]
@@ -43,11 +42,11 @@ fn ulps(found: f32, exact: f64) -> f64 {
 }
 
 /// All numbers from one to another, both of the same sign, in pieces for the cores.
-fn pieces(from: f32, to: f32) -> impl ParallelIterator<Item = std::ops::RangeInclusive<u32>> {
+fn pieces(from: f32, to: f32) -> impl Iterator<Item = std::ops::RangeInclusive<u32>> + Send {
     const PIECE: u32 = 1 << 20;
     let (first, last) = (from.to_bits(), to.to_bits());
     assert!(first <= last);
-    (0..=(last - first) / PIECE).into_par_iter().map(move |i| {
+    (0..=(last - first) / PIECE).map(move |i| {
         let start = first + i * PIECE;
         start..=last.min(start.saturating_add(PIECE - 1))
     })
@@ -91,9 +90,9 @@ fn over<const N: usize>(
         }
         worst
     };
-    pieces(from, to)
-        .map(piece)
-        .reduce(|| [Worst::default(); N], |a, b| std::array::from_fn(|i| a[i].or(b[i])))
+    let all = parallel::map(pieces(from, to), piece);
+    all.into_iter()
+        .fold([Worst::default(); N], |a, b| std::array::from_fn(|i| a[i].or(b[i])))
 }
 
 /// Says the worst error and holds it to a claim.
@@ -149,7 +148,7 @@ fn sin_cos_degrees() {
 #[ignore = "10⁹ numbers"]
 fn beyond_their_limits_they_are_not_numbers() {
     let not_a_number = |limit: f32, found: fn(f32) -> (f32, f32)| {
-        pieces(limit.next_up(), f32::from_bits(0x7FFF_FFFF)).for_each(|bits| {
+        parallel::for_each(pieces(limit.next_up(), f32::from_bits(0x7FFF_FFFF)), |bits| {
             for x in bits.map(f32::from_bits) {
                 let ((a, b), (c, d)) = (found(x), found(-x));
                 assert!(a.is_nan() && b.is_nan() && c.is_nan() && d.is_nan(), "{x:e}");
@@ -311,23 +310,24 @@ fn latitudes() {
                 ));
                 (f64::from(single.radians(x).unwrap()), exact.unwrap())
             };
-            let worst = pieces(2f32.powi(-20), limit.next_down())
-                .map(|bits| {
-                    let mut worst = (testkit::Worst::default(), 0.0);
-                    for x in bits.map(f32::from_bits) {
-                        let (found, exact) = error(x);
-                        let scale = if to == Latitude::Isometric {
-                            maximum(exact.abs(), 1.0)
-                        } else {
-                            1.0
-                        };
-                        if worst.0.add((found - exact).abs() / scale) {
-                            worst.1 = x;
-                        }
+            let all = parallel::map(pieces(2f32.powi(-20), limit.next_down()), |bits| {
+                let mut worst = (testkit::Worst::default(), 0.0);
+                for x in bits.map(f32::from_bits) {
+                    let (found, exact) = error(x);
+                    let scale = if to == Latitude::Isometric {
+                        maximum(exact.abs(), 1.0)
+                    } else {
+                        1.0
+                    };
+                    if worst.0.add((found - exact).abs() / scale) {
+                        worst.1 = x;
                     }
-                    worst
-                })
-                .reduce_with(|mut a, b| if a.0.add(b.0.value()) { b } else { a })
+                }
+                worst
+            });
+            let worst = all
+                .into_iter()
+                .reduce(|mut a, b| if a.0.add(b.0.value()) { b } else { a })
                 .map(|(worst, x)| (worst.value(), x))
                 .unwrap();
             let claimed = claim(match (from, to) {

@@ -1,6 +1,5 @@
 //! Latitude and longitude to a direction or a place on the cube, and back.
 
-use rayon::prelude::*;
 use terrella::cube::{CubeMap, Face, FacePoint, Projection};
 use terrella::{Ellipsoid, LatLon, Shift};
 use testkit::Worst;
@@ -85,7 +84,7 @@ fn round_trips(points: usize) {
             ],
         )
     };
-    let measured: Vec<_> = cases.par_iter().map(measure).collect();
+    let measured = testkit::parallel::map(&cases, measure);
     for (projection, shift, [double, single]) in &measured {
         println!("{projection} {shift}: {:.2} nm, {single:.2} m", double * 1e9);
     }

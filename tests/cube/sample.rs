@@ -1,15 +1,15 @@
 //! Scalars, and inputs of every kind: everywhere, on and next to edges, corners, diagonals and centres, and tiny.
 
 use fastrand::Rng;
-use rayon::prelude::*;
 use terrella::Direction;
 use terrella::cube::{Face, Projection};
 
+use testkit::parallel;
 pub use testkit::scalar::{Scalar, ulps};
 
 /// Runs a check of a projection for all of them.
 pub fn every_projection(check: impl Fn(Projection) + Sync) {
-    Projection::ALL.par_iter().for_each(|&projection| check(projection));
+    parallel::for_each(Projection::ALL, |&projection| check(projection));
 }
 
 /// A number in [−1, 1).

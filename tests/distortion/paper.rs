@@ -1,6 +1,5 @@
 //! Table 5.1 of Dimitrijević, Lambers & Rančić (2016), cell by cell, and other figures of the papers.
 
-use rayon::prelude::*;
 use terrella::cube::{Face, Projection};
 use terrella::distortion::{Statistic, Survey};
 use terrella::{Ellipsoid, Shift};
@@ -47,7 +46,7 @@ const TABLE: &[Row] = &[
 fn by_differences(projection: Projection, face: Face, n: u32) -> Survey<f64> {
     let ground = unit_sphere::<f64, _>(projection);
     let along = |i: u32| f64::from(i) * 2.0 / f64::from(n) - 1.0;
-    let rows = (0..n).into_par_iter().map(|row| {
+    let rows = testkit::parallel::map(0..n, |row| {
         let mut survey = Survey::new(ground.central_texel());
         for column in 0..n {
             let (x, y) = (along(column), along(row));
@@ -55,13 +54,9 @@ fn by_differences(projection: Projection, face: Face, n: u32) -> Survey<f64> {
         }
         survey
     });
-    rows.reduce(
-        || Survey::new(ground.central_texel()),
-        |mut all, row| {
-            all.merge(&row);
-            all
-        },
-    )
+    let mut all = Survey::new(ground.central_texel());
+    rows.iter().for_each(|row| all.merge(row));
+    all
 }
 
 fn cells(statistic: &Statistic<f64>) -> [f64; 4] {

@@ -200,30 +200,6 @@ fn refusals_carry_the_value() {
     assert_eq!(refused.to_string(), "(0.0, -inf, 1.0) is not a finite point");
 }
 
-#[cfg(feature = "serde")]
-#[test]
-fn serde_goes_through_the_same_doors() {
-    let place = geodetic(1.0, 2.0, 3.0);
-    let text = serde_json::to_string(&place).unwrap();
-    assert_eq!(text, r#"{"lat_lon":{"lat":1.0,"lon":2.0},"height":3.0}"#);
-    assert_eq!(serde_json::from_str::<Geodetic<f64>>(&text).unwrap(), place);
-    assert!(serde_json::from_str::<Geodetic<f64>>(r#"{"lat_lon":{"lat":91.0,"lon":2.0},"height":3.0}"#).is_err());
-    let point = ecef(1.0, 2.0, 3.0);
-    assert_eq!(
-        serde_json::from_str::<Ecef<f64>>(&serde_json::to_string(&point).unwrap()).unwrap(),
-        point
-    );
-    let seen = terrella::Aer {
-        azimuth: 1.0,
-        elevation: 2.0,
-        range: 3.0,
-    };
-    assert_eq!(
-        serde_json::from_str::<terrella::Aer<f64>>(&serde_json::to_string(&seen).unwrap()).unwrap(),
-        seen
-    );
-}
-
 fn no_number<T: Scalar>() {
     let nan = T::of(f64::NAN);
     for others in [T::ZERO, T::ONE] {

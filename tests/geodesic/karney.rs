@@ -495,14 +495,11 @@ fn distances_are_those_of_geographiclib() {
 #[test]
 #[ignore = "10⁸ pairs"]
 fn distances_are_those_of_geographiclib_ten_to_the_eight() {
-    use rayon::prelude::*;
-    let worst = (0..1000_u64)
-        .into_par_iter()
-        .map(|seed| against_geographiclib(100_000, seed));
-    let (difference, places) = worst.reduce(
-        || (0.0, [0.0; 4]),
-        |a, b| if a.0 >= b.0 || a.0.is_nan() { a } else { b },
-    );
+    let all = testkit::parallel::map(0..1000, |seed| against_geographiclib(100_000, seed));
+    let worst = all
+        .into_iter()
+        .reduce(|a, b| if a.0 >= b.0 || a.0.is_nan() { a } else { b });
+    let (difference, places) = worst.unwrap();
     println!("largest difference from GeographicLib: {difference:e} m at {places:?}");
     assert!(difference < 2e-8, "{difference:e} at {places:?}");
 }

@@ -2,7 +2,6 @@
 //! corners, holes.
 
 use geographiclib_rs::{Geodesic as Theirs, InverseGeodesic, PolygonArea as TheirPolygon, Winding};
-use rayon::prelude::*;
 use terrella::Ellipsoid;
 use terrella::geodesic::{Area, Geodesic, Karney};
 use testkit::Worst;
@@ -194,7 +193,7 @@ fn worst(seeds: core::ops::Range<u64>, each: u32) -> [f64; 4] {
         }
         worst.map(Worst::value)
     };
-    let all: Vec<[f64; 4]> = seeds.into_par_iter().map(of_seed).collect();
+    let all = testkit::parallel::map(seeds, of_seed);
     core::array::from_fn(|i| Worst::of(all.iter().map(|worst| worst[i])))
 }
 

@@ -4,7 +4,6 @@
 )] // tests
 
 use fastrand::Rng;
-use proptest::prelude::*;
 use terrella::LatLon;
 use terrella::healpix::{self, InvalidPixel, Pixel};
 use testkit::Worst;
@@ -256,41 +255,64 @@ fn same_pixel<T: Scalar>(depth: u8, number: u64, inside: [T; 2]) {
     assert_eq!(Pixel::containing(place, depth), Ok(pixel), "{inside:?}");
 }
 
-proptest! {
-    #[test]
-    fn a_place_in_a_pixel_is_in_the_pixel(depth in 0..=29_u8, number: u64, x in 0.01..0.99, y in 0.01..0.99) {
+/// How many random inputs are tried.
+const CASES: u32 = 4000;
+
+fn place(rng: &mut Rng) -> LatLon<f64> {
+    LatLon::new(90.0 * (2.0 * rng.f64() - 1.0), 180.0 * (2.0 * rng.f64() - 1.0)).unwrap()
+}
+
+#[test]
+fn a_place_in_a_pixel_is_in_the_pixel() {
+    let mut rng = Rng::with_seed(11);
+    for _ in 0..CASES {
+        let (depth, number) = (rng.u8(0..=29), rng.u64(..));
+        let [x, y] = [(); 2].map(|()| 0.01 + 0.98 * rng.f64());
         same_pixel(depth, number, [x, y]);
         same_pixel(depth.min(16), number, [x as f32, y as f32]);
     }
+}
 
-    #[test]
-    fn a_pixel_is_in_its_parent(lat in -90.0..=90.0_f64, lon in -180.0..=180.0_f64, depth in 1..=29_u8) {
-        let place = LatLon::new(lat, lon).unwrap();
+#[test]
+fn a_pixel_is_in_its_parent() {
+    let mut rng = Rng::with_seed(12);
+    for _ in 0..CASES {
+        let (place, depth) = (place(&mut rng), rng.u8(1..=29));
         let number = |depth| Pixel::containing(place, depth).unwrap().number();
-        prop_assert_eq!(number(depth) >> 2, number(depth - 1));
+        assert_eq!(number(depth) >> 2, number(depth - 1), "{place:?} {depth}");
     }
+}
 
-    #[test]
-    fn the_plane_comes_back(lat in -90.0..=90.0_f64, lon in -180.0..=180.0_f64) {
-        let place = LatLon::new(lat, lon).unwrap();
+#[test]
+fn the_plane_comes_back() {
+    let mut rng = Rng::with_seed(13);
+    for _ in 0..CASES {
+        let place = place(&mut rng);
         let back = healpix::from_plane(healpix::to_plane(place)).unwrap();
         let [a, b] = [place, back].map(|place| place.to_direction().to_array());
         let apart = (0..3).map(|at| (a[at] - b[at]).powi(2)).sum::<f64>().sqrt();
-        prop_assert!(apart <= 2e-15, "{back:?}");
+        assert!(apart <= 2e-15, "{place:?} {back:?}");
     }
+}
 
-    /// From any numbers at all: no panic, and what is given is a place.
-    #[test]
-    fn any_input_is_handled(x: f32, y: f32, depth: u8, number: u64, dx: f64, dy: f64) {
+/// From any numbers at all: no panic, and what is given is a place.
+#[test]
+fn any_input_is_handled() {
+    let mut rng = Rng::with_seed(14);
+    for _ in 0..CASES {
+        let [x, y] = [(); 2].map(|()| f32::from_bits(rng.u32(..)));
+        let [dx, dy] = [(); 2].map(|()| f64::from_bits(rng.u64(..)));
+        let (depth, number) = (rng.u8(..), rng.u64(..) >> rng.u32(0..64));
         for point in [[x, y], [x.abs() % 8.0, y % 2.0]] {
             if let Ok(place) = healpix::from_plane(point) {
-                prop_assert!(place.lat().abs() <= 90.0 && place.lon().abs() <= 180.0);
+                assert!(place.lat().abs() <= 90.0 && place.lon().abs() <= 180.0, "{point:?}");
             }
         }
         if let Ok(pixel) = Pixel::new(depth % 32, number) {
             for inside in [[dx, dy], [dx.abs() % 1.0, dy.abs() % 1.0]] {
                 if let Ok(place) = pixel.place(inside) {
-                    prop_assert!(place.lat().abs() <= 90.0 && place.lon().abs() <= 180.0);
+                    let found = place.lat().abs() <= 90.0 && place.lon().abs() <= 180.0;
+                    assert!(found, "{pixel:?} {inside:?}");
                 }
             }
         }

@@ -2,11 +2,10 @@
 //! levels.
 
 use fastrand::Rng;
-use rayon::prelude::*;
 use terrella::cube::{Corner, Edge, Face, Projection};
 use terrella::terrain::{Around, Base, Flatness, Heights, Patches, Tile};
 use terrella::{Ecef, Ellipsoid, Shift};
-use testkit::maximum;
+use testkit::{maximum, parallel};
 
 use crate::patch::{at, lifted, map};
 use crate::vector::{dot, length, minus};
@@ -89,7 +88,7 @@ fn edge_agrees(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile, edge: E
 }
 
 fn every_map(check: impl Fn(Patches<Projection>) + Sync) {
-    Projection::ALL.par_iter().for_each(|&projection| {
+    parallel::for_each(Projection::ALL, |&projection| {
         for (ellipsoid, shift) in [
             (Ellipsoid::WGS84, Shift::Authalic),
             (Ellipsoid::MOON, Shift::Geodetic),
@@ -242,7 +241,7 @@ fn skirt(flatness: &[Flatness], level: u8, samples: u32, [low, high]: [f64; 2]) 
 
 #[test]
 fn gaps_between_levels_are_no_wider_than_said() {
-    Projection::ALL.par_iter().for_each(|&projection| {
+    parallel::for_each(Projection::ALL, |&projection| {
         let patches = map(Ellipsoid::WGS84, Shift::Authalic, projection);
         let mut rng = Rng::with_seed(4);
         let mut used = 0.0_f64;

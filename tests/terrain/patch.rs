@@ -1,11 +1,10 @@
 //! Patches: vertices in single precision against the truth, the flatness of tiles, and their symmetries.
 
 use fastrand::Rng;
-use rayon::prelude::*;
 use terrella::cube::{CubeMap, Face, Projection};
 use terrella::terrain::{Base, Flatness, Heights, InvalidBase, InvalidPatch, Patches, Tile};
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
-use testkit::{maximum, minimum};
+use testkit::{maximum, minimum, parallel};
 
 use crate::sample;
 use crate::vector::{blend, length, minus};
@@ -201,10 +200,8 @@ fn one(rng: &mut Rng) -> Worst {
 }
 
 fn vertices(count: u64) {
-    let worst = (0..count)
-        .into_par_iter()
-        .map(|seed| one(&mut Rng::with_seed(seed)))
-        .reduce(Worst::default, Worst::merge);
+    let all = parallel::map(0..count, |seed| one(&mut Rng::with_seed(seed)));
+    let worst = all.into_iter().fold(Worst::default(), Worst::merge);
     println!(
         "{count} cameras and vertices: {:.2} mm within 1 km, a step of 1 mm within {:.2} mm, {:.2e} of the distance beyond; naive {:.2} m, {:.2e}; {:.2e} of the farthest corner",
         1e3 * worst.near,
@@ -269,7 +266,7 @@ fn slices_are_one_by_one() {
 
 #[test]
 fn representatives_say_all() {
-    Projection::ALL.par_iter().for_each(|&projection| {
+    parallel::for_each(Projection::ALL, |&projection| {
         let mut rng = Rng::with_seed(6);
         for shift in [Shift::Authalic, Shift::Geocentric] {
             let patches = map(Ellipsoid::WGS84, shift, projection);
@@ -390,7 +387,7 @@ fn flat_enough(patches: &Patches<Projection>, level: u8, count: u32) -> [f64; 2]
 /// Bounds hold, and at levels 0 to 22 they are within twice the largest seen.
 #[test]
 fn flatness_is_a_bound_and_a_close_one() {
-    Projection::ALL.par_iter().for_each(|&projection| {
+    parallel::for_each(Projection::ALL, |&projection| {
         let mut ratios = [[f64::INFINITY, 0.0_f64]; 2];
         for level in 0..=22 {
             let patches = map(Ellipsoid::WGS84, Shift::Authalic, projection);
@@ -418,7 +415,7 @@ fn flatness_of_every_map() {
         Ellipsoid::new(6.4e6, -1.0 / 9.0).unwrap(),
         Ellipsoid::new(6.4e6, 0.5).unwrap(),
     ];
-    Projection::ALL.par_iter().for_each(|&projection| {
+    parallel::for_each(Projection::ALL, |&projection| {
         for ellipsoid in shapes {
             for &shift in Shift::ALL {
                 let Ok(map) = CubeMap::new(ellipsoid, shift, projection) else {
@@ -439,7 +436,7 @@ fn flatness_of_every_map() {
 /// On a level base it is the displacement and as much of the base's height as normals turn.
 #[test]
 fn flatness_holds_on_a_level_base() {
-    Projection::ALL.par_iter().for_each(|&projection| {
+    parallel::for_each(Projection::ALL, |&projection| {
         let mut rng = Rng::with_seed(8);
         for ellipsoid in [Ellipsoid::WGS84, Ellipsoid::MOON] {
             let patches = map(ellipsoid, Shift::Authalic, projection);
@@ -478,7 +475,7 @@ fn what_is_no_base_is_refused() {
 #[test]
 fn plain_tiles_are_within_their_tolerance() {
     let heights = Heights::new(-500.0, 8000.0).unwrap();
-    Projection::ALL.par_iter().for_each(|&projection| {
+    parallel::for_each(Projection::ALL, |&projection| {
         let patches = map(Ellipsoid::WGS84, Shift::Authalic, projection);
         let mut rng = Rng::with_seed(7);
         for tolerance in [0.01, 1.0, 100.0] {

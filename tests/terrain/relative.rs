@@ -1,11 +1,10 @@
 //! Series and split numbers: the ground and points from a camera in single precision.
 
 use fastrand::Rng;
-use rayon::prelude::*;
 use terrella::cube::{CubeMap, CubeProjection, Face, Projection};
 use terrella::terrain::{Base, Heights, Patches, Split, Tile};
 use terrella::{Ecef, Ellipsoid, Real, Shift};
-use testkit::maximum;
+use testkit::{maximum, parallel};
 
 use crate::patch::map;
 use crate::vector::{length, minus};
@@ -35,7 +34,7 @@ fn error(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile, height: f64) 
 
 #[test]
 fn series_are_within_their_truncation() {
-    Projection::ALL.par_iter().for_each(|&projection| {
+    parallel::for_each(Projection::ALL, |&projection| {
         for (ellipsoid, shift) in [
             (Ellipsoid::WGS84, Shift::Authalic),
             (Ellipsoid::MARS, Shift::Geocentric),

@@ -2,9 +2,6 @@
 //! decide.
 
 use fastrand::Rng;
-use s2::cellid::CellID;
-use s2::point::Point;
-use s2::r3::vector::Vector;
 use terrella::cube::{CubeProjection, Face, FacePoint, InvalidFace, InvalidNumbered, Numbering, S2Quadratic};
 use terrella::terrain::{Hilbert, InvalidNumberedTile, InvalidTile, Key, Tile};
 use terrella::{Direction, LatLon};
@@ -68,55 +65,6 @@ fn a_place_that_s2_rounds_into_another_cell_is_in_that() {
         0.923_655_870_023_928_9,
     ];
     assert_eq!(Key::s2_leaf_of(vector).unwrap().bits(), 0x45fd_79ac_9bb9_3ad3);
-}
-
-/// The port to Rust, which differs from S2 in C++ where the two largest components are equal.
-fn ported([x, y, z]: [f64; 3], level: u64) -> u64 {
-    let [a, b, c] = [x, y, z].map(f64::abs);
-    let tie = (a == b && a >= c) || (b == c && b >= a) || (a == c && a >= b);
-    assert!(!tie);
-    CellID::from(Point(Vector { x, y, z })).parent(level).0
-}
-
-fn compare(count: u32, seed: u64) {
-    let mut rng = Rng::with_seed(seed);
-    for _ in 0..count {
-        let mut draw = || 2.0 * rng.f64() - 1.0;
-        let mut vector = [draw(), draw(), draw()];
-        match rng.u8(0..4) {
-            0 => {
-                let tile = sample::tile(&mut rng);
-                vector = S2Quadratic.unproject(tile.corners::<f64>()[rng.usize(0..4)]).to_array();
-            }
-            1 => vector[rng.usize(0..3)] = if rng.bool() { 0.0 } else { -0.0 },
-            _ => {}
-        }
-        let [a, b, c] = vector.map(f64::abs);
-        if (a == b && a >= c) || (b == c && b >= a) || (a == c && a >= b) {
-            continue;
-        }
-        let leaf = Key::s2_leaf_of(vector).unwrap();
-        for level in [30, rng.u8(0..30)] {
-            let cell = ported(vector, level.into());
-            assert_eq!(leaf.ancestor(level).unwrap().bits(), cell, "{vector:?} {level}");
-        }
-        if let Ok(direction) = Direction::new(vector[0], vector[1], vector[2])
-            && direction.to_array() == vector
-        {
-            assert_eq!(Key::s2_leaf(direction), leaf);
-        }
-    }
-}
-
-#[test]
-fn cells_are_those_of_s2_in_rust() {
-    compare(50_000, 1);
-}
-
-#[test]
-#[ignore = "a million"]
-fn a_million_cells_are_those_of_s2_in_rust() {
-    compare(1_000_000, 2);
 }
 
 /// Inside of a cell there is no choice: the tile of the same key.
@@ -205,45 +153,5 @@ fn tiles_are_numbered_as_their_points_are() {
             let point = FacePoint::new(Face::Front, x, y).unwrap();
             assert_eq!((number, point), (face, there.centre()), "{numbering:?} {tile:?}");
         }
-    }
-}
-
-#[test]
-fn neighbours_are_in_s2s_order() {
-    let mut rng = Rng::with_seed(5);
-    for _ in 0..50_000 {
-        let key = Key::<Hilbert>::from(sample::tile(&mut rng));
-        let theirs = CellID(key.bits()).edge_neighbors().map(|cell| cell.0);
-        assert_eq!(key.s2_edge_neighbours().map(Key::bits), theirs, "{key}");
-    }
-}
-
-#[test]
-fn cells_about_the_nearest_corner_are_those_of_s2() {
-    let mut rng = Rng::with_seed(6);
-    for _ in 0..50_000 {
-        let tile = sample::tile(&mut rng);
-        let key = Key::<Hilbert>::from(tile);
-        for level in tile.level()..=Tile::MAX_LEVEL + 2 {
-            assert_eq!(tile.around_nearest(level), None);
-        }
-        if tile.level() == 0 {
-            continue;
-        }
-        let level = rng.u8(0..tile.level());
-        let around = tile.around_nearest(level).unwrap();
-        let mut ours: Vec<_> = around
-            .as_slice()
-            .iter()
-            .map(|&(tile, _)| Key::<Hilbert>::from(tile).bits())
-            .collect();
-        let mut theirs: Vec<_> = CellID(key.bits())
-            .vertex_neighbors(level.into())
-            .iter()
-            .map(|c| c.0)
-            .collect();
-        ours.sort_unstable();
-        theirs.sort_unstable();
-        assert_eq!(ours, theirs, "{key} {level}");
     }
 }

@@ -1,13 +1,12 @@
 //! Selections against rays through pixels: the place that a ray meets is in exactly one of the tiles.
 
 use fastrand::Rng;
-use rayon::prelude::*;
 use terrella::cube::{Balanced, CubeMap, Face, FacePoint, Projection};
 use terrella::terrain::{
     Camera, Detail, Enclosure, Heights, Horizon, InvalidCamera, InvalidDetail, InvalidTile, Selection, Tile,
 };
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
-use testkit::minimum;
+use testkit::{minimum, parallel};
 
 use crate::vector::{Vector, cross, plus, unit};
 
@@ -164,10 +163,10 @@ fn covers_once(map: CubeMap<f64, Projection>, detail: Detail<f64>, seed: u64, vi
 fn every_pixel_is_covered_once() {
     // COBE's published pair does not close: what it projects to is not quite where the tile is.
     let closed = Projection::ALL
-        .par_iter()
+        .iter()
         .enumerate()
         .filter(|&(_, &p)| p != Projection::Cobe);
-    closed.for_each(|(seed, &projection)| {
+    parallel::for_each(closed, |(seed, &projection)| {
         for (ellipsoid, shift) in [
             (Ellipsoid::WGS84, Shift::Authalic),
             (Ellipsoid::MARS, Shift::Geocentric),

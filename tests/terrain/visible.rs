@@ -9,11 +9,10 @@ use std::collections::HashSet;
 use std::f64::consts::TAU;
 
 use fastrand::Rng;
-use rayon::prelude::*;
 use terrella::cube::{Balanced, CubeMap, FacePoint};
 use terrella::terrain::{Camera, Detail, Enclosure, Heights, Horizon, Selection, Tile};
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
-use testkit::{maximum, minimum};
+use testkit::{maximum, minimum, parallel};
 
 use crate::vector::{Vector, cross, dot, plus, unit};
 
@@ -378,9 +377,8 @@ fn none_is_missed(scenes: u64, rays: usize) -> usize {
                 .flat_map(move |&kind| [false, true].map(|low| (seed, kind, low)))
         })
         .collect();
-    all.into_par_iter()
-        .map(|(seed, kind, low)| misses_none(seed, kind, low, rays))
-        .sum()
+    let visible = parallel::map(all, |(seed, kind, low)| misses_none(seed, kind, low, rays));
+    visible.into_iter().sum()
 }
 
 #[test]
@@ -475,9 +473,8 @@ fn counts(seed: u64, kind: Kind, low: bool) -> Option<[usize; 2]> {
 fn counts_are_within_two(scenes: u64) {
     for kind in KINDS {
         for low in [false, true] {
-            let found = (0..scenes).into_par_iter();
-            let found = found.filter_map(|seed| counts(seed, kind, low).map(|counts| (seed, counts)));
-            let mut found: Vec<_> = found.collect();
+            let found = parallel::map(0..scenes, |seed| Some((seed, counts(seed, kind, low)?)));
+            let mut found: Vec<_> = found.into_iter().flatten().collect();
             let share = |&(_, [count, asked]): &(u64, [usize; 2])| count as f64 / asked as f64;
             found.sort_by(|a, b| share(a).total_cmp(&share(b)));
             let [first, median, last] = [0, found.len() / 2, found.len() - 1].map(|k| share(&found[k]));

@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use proptest::prelude::*;
 use terrella::{InvalidLatLon, LatLon, ParseLatLonError};
 
 fn parsed(text: &str) -> LatLon {
@@ -253,42 +252,60 @@ fn decimal_seconds_are_within_an_ulp_and_a_half() {
     assert!(different < 15_000, "{different}");
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4000))]
+/// How many random inputs are tried.
+const CASES: u32 = 4000;
 
-    #[test]
-    fn no_text_panics(text in "\\PC{0,40}") {
+fn place(rng: &mut fastrand::Rng) -> LatLon<f64> {
+    LatLon::new(90.0 * (2.0 * rng.f64() - 1.0), 180.0 * (2.0 * rng.f64() - 1.0)).unwrap()
+}
+
+#[test]
+fn no_text_panics() {
+    let mut rng = fastrand::Rng::with_seed(21);
+    for _ in 0..CASES {
+        let any = (0..rng.usize(0..=40)).map(|_| rng.char(..));
+        let text: String = any.filter(|character| !character.is_control()).collect();
         let _ = text.parse::<LatLon>();
         let _ = text.parse::<LatLon<f32>>();
     }
+}
 
-    #[test]
-    fn no_text_of_the_alphabet_panics_and_what_is_read_is_in_range(text in "[0-9.,;:+\\-NSEWnsewdD°′″'\" ]{0,24}") {
+#[test]
+fn no_text_of_the_alphabet_panics_and_what_is_read_is_in_range() {
+    let alphabet: Vec<char> = "0123456789.,;:+-NSEWnsewdD°′″'\" ".chars().collect();
+    let mut rng = fastrand::Rng::with_seed(22);
+    for _ in 0..CASES {
+        let text: String = (0..rng.usize(0..=24)).filter_map(|_| rng.choice(&alphabet)).collect();
         if let Ok(place) = text.parse::<LatLon>() {
-            prop_assert!(place.lat().abs() <= 90.0 && place.lon().abs() <= 180.0);
+            assert!(place.lat().abs() <= 90.0 && place.lon().abs() <= 180.0, "{text}");
         }
     }
+}
 
-    #[test]
-    fn what_is_written_is_read_bit_for_bit(lat in -90.0..=90.0_f64, lon in -180.0..=180.0_f64, scale in 0..1074_i32) {
-        let small = 2_f64.powi(-scale);
-        for place in [LatLon::new(lat, lon).unwrap(), LatLon::new(lat * small, lon * small).unwrap()] {
-            prop_assert_eq!(bits(parsed(&place.to_string())), bits(place));
+#[test]
+fn what_is_written_is_read_bit_for_bit() {
+    let mut rng = fastrand::Rng::with_seed(23);
+    for _ in 0..CASES {
+        let (place, small) = (place(&mut rng), 2_f64.powi(-rng.i32(0..1074)));
+        for place in [place, LatLon::new(place.lat() * small, place.lon() * small).unwrap()] {
+            assert_eq!(bits(parsed(&place.to_string())), bits(place));
             let single = place.to_f32();
-            prop_assert_eq!(single.to_string().parse(), Ok(single));
+            assert_eq!(single.to_string().parse(), Ok(single));
         }
     }
+}
 
-    #[test]
-    fn degrees_minutes_and_seconds_come_back_within_half_a_digit(
-        lat in -90.0..=90.0_f64, lon in -180.0..=180.0_f64, digits in 0..10_u8
-    ) {
-        let place = LatLon::new(lat, lon).unwrap();
+#[test]
+fn degrees_minutes_and_seconds_come_back_within_half_a_digit() {
+    let mut rng = fastrand::Rng::with_seed(24);
+    for _ in 0..CASES {
+        let (place, digits) = (place(&mut rng), rng.u8(0..10));
         let mut text = String::new();
         write!(text, "{}", place.to_dms(digits)).unwrap();
         let back = parsed(&text);
         let half = 0.5 / 3600.0 / 10_f64.powi(digits.into()) + 3e-14;
-        prop_assert!((back.lat() - lat).abs() <= half && (back.lon() - lon).abs() <= half, "{text}");
-        prop_assert_eq!(back.to_dms(digits), place.to_dms(digits));
+        let errors = [back.lat() - place.lat(), back.lon() - place.lon()];
+        assert!(errors.into_iter().all(|error| error.abs() <= half), "{text}");
+        assert_eq!(back.to_dms(digits), place.to_dms(digits));
     }
 }

@@ -1,4 +1,4 @@
-//! Numbers, places and points from bytes, which a fuzzer mutates and proptest shrinks: anywhere, and often where something
+//! Numbers, places and points from bytes, which a fuzzer mutates: anywhere, and often where something
 //! could go wrong. Past the end all bytes are 0.
 //!
 //! A corpus is such bytes: it is of no use to another reader of them.

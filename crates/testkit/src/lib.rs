@@ -9,10 +9,16 @@ pub mod bytes;
 pub mod double;
 #[cfg(feature = "std")]
 pub mod generated;
+#[cfg(feature = "tests")]
+pub mod harness;
+#[cfg(feature = "tests")]
+pub mod instances;
 #[cfg(feature = "std")]
 pub mod measure;
 #[cfg(feature = "std")]
 pub mod nearest;
+#[cfg(feature = "std")]
+pub mod parallel;
 #[cfg(feature = "std")]
 pub mod program;
 #[cfg(feature = "std")]
@@ -21,6 +27,8 @@ pub mod property;
 pub mod scalar;
 #[cfg(feature = "std")]
 pub mod table;
+#[cfg(feature = "tests")]
+pub mod tiles;
 #[cfg(feature = "std")]
 pub mod truth;
 #[cfg(feature = "std")]

@@ -8,10 +8,9 @@ pub struct Property {
     pub single: fn(&mut Bytes<'_>),
 }
 
-/// The properties of a room: a list of them for the fuzzer, and in `cargo test` a test for each of them in each scalar, by
-/// `harness::holds` of the crate that has them. New ones come last: their numbers are in the fuzzer's corpus.
+/// The properties of a room: a list of them for the fuzzer, and in `cargo test` a test for each of them in each
+/// scalar. New ones come last: their numbers are in the fuzzer's corpus.
 #[macro_export]
-#[allow(clippy::crate_in_macro_def)] // the harness is the test's, not the kit's
 macro_rules! properties {
     ($($property:ident)*) => {
         #[allow(dead_code)] // the fuzzer's
@@ -24,12 +23,12 @@ macro_rules! properties {
             mod $property {
                 #[test]
                 fn double() {
-                    crate::harness::holds(super::$property::<f64>);
+                    $crate::harness::holds(super::$property::<f64>);
                 }
 
                 #[test]
                 fn single() {
-                    crate::harness::holds(super::$property::<f32>);
+                    $crate::harness::holds(super::$property::<f32>);
                 }
             }
         )*

@@ -1,6 +1,10 @@
 //! Over slices: the same bits as one by one, for every length and for special values, and all of them where some are refused.
+#![allow(
+    missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
+)] // tests
 
 mod area;
+mod batch;
 mod cube;
 mod frame;
 mod geodesic;

@@ -49,7 +49,7 @@ fn table_holds<T: Real + Float>(bound: f64, counted: usize) {
     let mut worst = Worst::default();
     let mut at = String::new();
     let mut compared = 0;
-    for row in include_str!("../truth/derivatives.tsv").lines().skip(3) {
+    for row in include_str!("../../../../tests/truth/derivatives.tsv").lines().skip(3) {
         let fields: Vec<&str> = row.split('\t').collect();
         let [name, x, y, by_x, by_y] = fields[..] else {
             panic!("{row}")

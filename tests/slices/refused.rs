@@ -2,7 +2,7 @@
 
 use core::convert::Infallible;
 use terrella::batch::{self, InvalidBatch, cube::InvalidPoint, ellipsoid::InvalidGeodetic};
-use terrella::cube::{CubeMap, CubeProjection, Face, InvalidFace, InvalidFacePoint, Projection};
+use terrella::cube::{CubeMap, CubeProjection, Face, InvalidFace, InvalidFacePoint, Outerra, Projection};
 use terrella::frame::InvalidEnu;
 use terrella::latitude::{Conversion, InvalidLatitude};
 use terrella::{
@@ -298,7 +298,7 @@ fn refused_elements_are_nan_and_counted() {
 #[test]
 fn all_lengths() {
     let [lat, lon] = places::<f64>();
-    let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Outerra).unwrap();
+    let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Outerra).unwrap();
     for length in 0..=200 {
         let mut lat = lat[..length].to_vec();
         // In the west, as 180 to 360.

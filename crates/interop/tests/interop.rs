@@ -14,7 +14,7 @@ mod serde {
     use terrella::frame::GeodeticOffset;
     use terrella::healpix::Pixel;
     use terrella::terrain::{Heights, Hilbert, Key, Morton, Tile};
-    use terrella::{Direction, Ellipsoid, LatLon, Latitude, NAMED, Real, Shift};
+    use terrella::{Aer, Direction, Ecef, Ellipsoid, Geodetic, LatLon, Latitude, NAMED, Real, Shift};
 
     /// Out and in again, as a tree of values: decimals would test the reader's rounding, not ours.
     fn comes_back<V: Serialize + DeserializeOwned + PartialEq + Debug>(value: V) {
@@ -98,6 +98,23 @@ mod serde {
         reads(r#"{"lat":0,"lon":361}"#, LatLon::new(0.0, 1.0).unwrap());
         reads(r#"{"lat":0,"lon":-180}"#, LatLon::new(0.0, -180.0).unwrap());
         reads(r#"{"x":0,"y":-3,"z":4}"#, Direction::new(0.0, -0.6, 0.8).unwrap());
+    }
+
+    #[test]
+    fn local_coordinates_and_points_in_space_come_back() {
+        let place = Geodetic::new(LatLon::new(1.0, 2.0).unwrap(), 3.0).unwrap();
+        let text = to_string(&place).unwrap();
+        assert_eq!(text, r#"{"lat_lon":{"lat":1.0,"lon":2.0},"height":3.0}"#);
+        assert_eq!(from_str::<Geodetic<f64>>(&text).unwrap(), place);
+        assert!(from_str::<Geodetic<f64>>(r#"{"lat_lon":{"lat":91.0,"lon":2.0},"height":3.0}"#).is_err());
+        let point = Ecef::new(1.0, 2.0, 3.0).unwrap();
+        assert_eq!(from_str::<Ecef<f64>>(&to_string(&point).unwrap()).unwrap(), point);
+        let seen = Aer {
+            azimuth: 1.0,
+            elevation: 2.0,
+            range: 3.0,
+        };
+        assert_eq!(from_str::<Aer<f64>>(&to_string(&seen).unwrap()).unwrap(), seen);
     }
 
     #[test]

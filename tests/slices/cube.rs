@@ -1,13 +1,13 @@
 //! Cube projections and maps.
 
-use terrella::batch;
-use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection, QuadCube};
+use terrella::batch::{self, FaceNumber};
+use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Healpix, Projection, QuadCube, Vertex};
 use terrella::{Direction, Ellipsoid, LatLon, Real, Shift};
 
-use super::{Scalar, compare, directions, faces, number, places, points, store};
+use super::{Scalar, bytes, compare, directions, faces, number, places, points, store};
 
-/// A projection, in both directions and on the ellipsoid.
-fn projection<T: Scalar, P: CubeProjection>(name: &str, p: P) {
+/// A projection, in both directions; faces are given by `columns`: as such, or as their numbers.
+fn projection<T: Scalar, P: CubeProjection, F: FaceNumber>(name: &str, p: P, columns: fn(&[T]) -> Vec<F>) {
     compare(
         &format!("{name} project"),
         &directions::<T>(),
@@ -25,11 +25,11 @@ fn projection<T: Scalar, P: CubeProjection>(name: &str, p: P) {
         &format!("{name} unproject"),
         &points::<T>(),
         &|[face, x, y]| p.unproject(FacePoint::new(faces(&[face])[0], x, y).unwrap()).to_array(),
-        &|[face, x, y], to| batch::cube::unproject(p, &faces(face), [x, y], to).unwrap(),
+        &|[face, x, y], to| batch::cube::unproject(p, &columns(face), [x, y], to).unwrap(),
     );
 }
 
-fn map<T: Scalar, P: CubeProjection>(name: &str, p: P, shift: Shift) {
+fn map<T: Scalar, P: CubeProjection, F: FaceNumber>(name: &str, p: P, shift: Shift, columns: fn(&[T]) -> Vec<F>) {
     let map = CubeMap::new(Ellipsoid::<T>::WGS84, shift, p).unwrap();
     compare(
         &format!("{name} map, {shift}"),
@@ -51,7 +51,7 @@ fn map<T: Scalar, P: CubeProjection>(name: &str, p: P, shift: Shift) {
             let place = map.unproject(FacePoint::new(faces(&[face])[0], x, y).unwrap());
             [place.lat(), place.lon()]
         },
-        &|[face, x, y], to| batch::map::unproject(&map, &faces(face), [x, y], to).unwrap(),
+        &|[face, x, y], to| batch::map::unproject(&map, &columns(face), [x, y], to).unwrap(),
     );
 }
 
@@ -71,14 +71,17 @@ impl CubeProjection for Gnomonic {
 
 fn every_projection<T: Scalar>() {
     for &p in Projection::ALL {
-        projection::<T, _>(p.name(), p);
+        projection::<T, _, _>(p.name(), p, bytes);
     }
-    projection::<T, _>("gnomonic", Gnomonic);
-    projection::<T, _>("quad cube", QuadCube::COBE);
+    projection::<T, _, _>("gnomonic", Gnomonic, faces);
+    projection::<T, _, _>("vertex", Vertex, faces);
+    projection::<T, _, _>("HEALPix", Healpix, faces);
+    projection::<T, _, _>("quad cube", QuadCube::COBE, faces);
     for &shift in Shift::ALL {
-        map::<T, _>("vertex", Projection::Vertex, shift);
+        map::<T, _, _>("vertex", Projection::Vertex, shift, bytes);
     }
-    map::<T, _>("gnomonic", Gnomonic, Shift::Authalic);
+    map::<T, _, _>("gnomonic", Gnomonic, Shift::Authalic, faces);
+    map::<T, _, _>("HEALPix", Healpix, Shift::Authalic, faces);
 }
 
 #[test]

@@ -1,7 +1,8 @@
-//! Tiles, keys and samples.
+//! Tiles, keys and samples, by projections of their own types: those of [`Projection`](terrella::cube::Projection) are
+//! tried in `cube.rs`, and are long to compile.
 
 use terrella::batch::{self, InvalidBatch, terrain::InvalidTiled};
-use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, InvalidFace, Projection};
+use terrella::cube::{Balanced, Cobe, CubeMap, CubeProjection, Face, FacePoint, InvalidFace, S2Quadratic, Vertex};
 use terrella::terrain::{Curve, Hilbert, InvalidKey, InvalidNumberedTile, InvalidTile, Key, Morton, Tile};
 use terrella::{Direction, Ellipsoid, LatLon, Shift};
 
@@ -35,7 +36,7 @@ fn every_key<T: Scalar, C: Curve>() {
         assert_eq!((&l, &a, &b), (&levels, &i, &j));
         assert!(f.iter().zip(&faces).all(|(f, face)| *f == face.index()));
     }
-    let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, Projection::S2Quadratic).unwrap();
+    let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, S2Quadratic).unwrap();
     let ([lat, lon], [x, y, z]) = (places::<T>(), directions::<T>());
     let key = |point, level| Key::<C>::from(Tile::containing(point, level).unwrap()).bits();
     for (part, level) in parts().zip([0, 1, 12, 29, 30].into_iter().cycle()) {
@@ -46,9 +47,9 @@ fn every_key<T: Scalar, C: Curve>() {
             assert_eq!(found, key(map.project(LatLon::new(lat[i], lon[i]).unwrap()), level));
         }
         let columns = [&x[part.clone()], &y[part.clone()], &z[part.clone()]];
-        batch::terrain::directions_to_key::<C, _, _>(Projection::Cobe, level, columns, &mut found).unwrap();
+        batch::terrain::directions_to_key::<C, _, _>(Cobe, level, columns, &mut found).unwrap();
         for (i, found) in part.clone().zip(found) {
-            let point = Projection::Cobe.project(Direction::new(x[i], y[i], z[i]).unwrap());
+            let point = Cobe.project(Direction::new(x[i], y[i], z[i]).unwrap());
             assert_eq!(found, key(point, level));
         }
         let [face, x, y] = points::<T>().map(|column| column[part.clone()].to_vec());
@@ -130,7 +131,7 @@ fn tiles_that_are_refused() {
             assert_eq!(found, Err(InvalidBatch::Elements { count, first, why }));
             assert_eq!((keys[0], keys[1], keys[2]), (good, 0, good));
         }
-        let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Projection::Vertex).unwrap();
+        let map = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Vertex).unwrap();
         let mut lat = vec![1.0; length];
         lat[1] = f64::NAN;
         let (lon, mut keys) = (vec![2.0; length], vec![7; length]);
@@ -164,7 +165,7 @@ fn tiles_that_are_refused() {
 }
 
 fn every_sample<T: Scalar>() {
-    let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Conformal, Projection::Balanced).unwrap();
+    let map = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Conformal, Balanced).unwrap();
     for (tile, samples) in [
         (Tile::root(Face::Left), 0),
         (Tile::root(Face::Top), 1),
@@ -176,10 +177,10 @@ fn every_sample<T: Scalar>() {
         let mut found = [(); 5].map(|()| vec![T::of(7.0); length]);
         let [lat, lon, x, y, z] = &mut found;
         batch::terrain::sample_places(&map, tile, samples, [lat, lon]).unwrap();
-        batch::terrain::sample_directions(Projection::Vertex, tile, samples, [x, y, z]).unwrap();
+        batch::terrain::sample_directions(Vertex, tile, samples, [x, y, z]).unwrap();
         for index in 0..length as u32 {
             let node = tile.node([index % samples, index / samples], samples.saturating_sub(1));
-            let (place, direction) = (map.unproject(node), Projection::Vertex.unproject(node));
+            let (place, direction) = (map.unproject(node), Vertex.unproject(node));
             let [x, y, z] = direction.to_array();
             let row = found.each_ref().map(|column| column[index as usize]);
             assert_eq!(bits(&row), bits(&[place.lat(), place.lon(), x, y, z]));
