@@ -73,8 +73,10 @@ pub(crate) trait Element<Input>: Copy {
     /// The results for numbers that are kept, and whether they are those of [`one`](Self::one), bit for bit.
     fn fast(&self, input: Input) -> (Self::Output, bool);
 
-    /// As [`fast`](Self::fast), for what that does not find: the hard cases in lanes of their own. By default there
-    /// is no such way.
+    /// Whether [`second`](Self::second) finds any. Where it does not, its loop is not compiled.
+    const SECOND: bool = false;
+
+    /// As [`fast`](Self::fast), for what that does not find: the hard cases in lanes of their own.
     #[inline(always)]
     fn second(&self, input: Input) -> (Self::Output, bool) {
         (self.fast(input).0, false)
@@ -279,32 +281,34 @@ fn complete<'a, K, S, D>(
     K: Element<S::Row, Output = D::Row>,
 {
     let here = rows.len().min(BLOCK);
-    let mut spare = S::spare();
-    let mut places = [0_u8; BLOCK];
-    let mut count = 0;
-    for (i, found) in (0..here).zip(found.iter()) {
-        let row = S::row(block, i);
-        if !found && kernel.keeps(row) {
-            S::put(&mut spare, count, row);
-            if let Some(place) = places.get_mut(count) {
-                *place = i as u8;
+    if K::SECOND {
+        let mut spare = S::spare();
+        let mut places = [0_u8; BLOCK];
+        let mut count = 0;
+        for (i, found) in (0..here).zip(found.iter()) {
+            let row = S::row(block, i);
+            if !found && kernel.keeps(row) {
+                S::put(&mut spare, count, row);
+                if let Some(place) = places.get_mut(count) {
+                    *place = i as u8;
+                }
+                count += 1;
             }
-            count += 1;
         }
-    }
-    if count >= PAIR {
-        let (second, well) = dispatch(Second::<K, S, D> {
-            kernel: *kernel,
-            spare,
-            count,
-            sink: PhantomData,
-        });
-        for (j, (&place, well)) in places.iter().zip(well).enumerate().take(count) {
-            if well {
-                let i = usize::from(place);
-                D::put(results, i, D::get(&second, j));
-                if let Some(slot) = found.get_mut(i) {
-                    *slot = true;
+        if count >= PAIR {
+            let (second, well) = dispatch(Second::<K, S, D> {
+                kernel: *kernel,
+                spare,
+                count,
+                sink: PhantomData,
+            });
+            for (j, (&place, well)) in places.iter().zip(well).enumerate().take(count) {
+                if well {
+                    let i = usize::from(place);
+                    D::put(results, i, D::get(&second, j));
+                    if let Some(slot) = found.get_mut(i) {
+                        *slot = true;
+                    }
                 }
             }
         }

@@ -33,11 +33,6 @@ impl<T: Real> Element<Ends<T>> for Edges<T> {
         (edge.row(), found)
     }
 
-    #[inline(always)]
-    fn second(&self, _: Ends<T>) -> ([T; 4], bool) {
-        ([T::ZERO; 4], false)
-    }
-
     fn one(&self, ([lat1, lon1], [lat2, lon2]): Ends<T>) -> Result<[T; 4], InvalidLatLon<T>> {
         let (from, to) = (LatLon::new(lat1, lon1)?, LatLon::new(lat2, lon2)?);
         Ok(self.any_edge(from, to).row())

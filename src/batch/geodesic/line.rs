@@ -26,11 +26,6 @@ impl<T: Real> Element<[T; 1]> for Points<T> {
         ([end.position.lat(), end.position.lon(), end.azimuth], found)
     }
 
-    #[inline(always)]
-    fn second(&self, _: [T; 1]) -> ([T; 3], bool) {
-        ([T::ZERO; 3], false)
-    }
-
     fn one(&self, [distance]: [T; 1]) -> Result<[T; 3], GeodesicError<T>> {
         let point = self.0.at(distance)?;
         Ok([point.position.lat(), point.position.lon(), point.azimuth])

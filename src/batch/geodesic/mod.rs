@@ -91,6 +91,8 @@ impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Inverse<'_, M> {
     type Output = [T; 3];
     type Error = InvalidProblem<T>;
 
+    const SECOND: bool = true;
+
     #[inline(always)]
     fn keeps(&self, pair: Pair<T>) -> bool {
         Pairs.keeps(pair)
@@ -123,6 +125,8 @@ impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Inverse<'_, M> {
 impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Distance<'_, M> {
     type Output = [T; 1];
     type Error = InvalidProblem<T>;
+
+    const SECOND: bool = true;
 
     #[inline(always)]
     fn keeps(&self, pair: Pair<T>) -> bool {

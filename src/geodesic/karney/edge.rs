@@ -86,7 +86,9 @@ impl<T: Real> Edges<T> {
         let course = problem.course(outcome.inverse, outcome.growth);
         let solved = (&problem, &course);
         let along = self.area.along_meridian(from, to, solved);
-        let beside = self.area.beside_meridian(solved, |alpha0, sigmas| self.beyond_sphere(alpha0, sigmas));
+        let beside = self
+            .area
+            .beside_meridian(solved, |alpha0, sigmas| self.beyond_sphere(alpha0, sigmas));
         let under = DoubleWord {
             high: select(course.meridional, along.high, beside.high),
             low: select(course.meridional, along.low, beside.low),

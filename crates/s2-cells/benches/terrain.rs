@@ -1,6 +1,6 @@
 //! Speed of the terrain on one core: patches beside the loop that a user would write, and tiles and keys beside the crate `s2`.
 //!
-//! `taskset -c 1 cargo bench --bench terrain`; nanoseconds are the minimum and the median of blocks, as in `frontier`.
+//! `taskset -c 1 cargo bench -p s2-cells`; nanoseconds are the minimum and the median of blocks, as in `frontier`.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)] // a bench may fail loudly
 
