@@ -35,6 +35,6 @@ pub(super) use tangent;
 #[inline(always)]
 pub(super) fn along<T: Real>(v: T, outward: T, scale: T, inverse: T) -> T {
     let x = atan2_eighth(v * scale, outward) * inverse;
-    // To the last bit, the edge is the edge.
-    x + either(v.abs() == outward, (T::ONE.copysign(v) + x.vanish()) - x)
+    // To the last bit, the edge is the edge; and −0 stays, which tells longitude −180 from 180.
+    x - either(v.abs() == outward, x - (T::ONE.copysign(v) + x.vanish()))
 }
