@@ -132,6 +132,7 @@ macro_rules! parts {
         }
     )*};
 }
+#[cfg(feature = "terrain")]
 pub(crate) use parts;
 
 parts! {
