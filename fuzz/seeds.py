@@ -19,9 +19,8 @@ def rows(name):
 
 
 def properties(target):
-    room = "slices" if target == "batch" else "properties"
-    file = "batch/mod.rs" if target == "batch" else f"{target}.rs"
-    text = (ROOT / "tests" / room / file).read_text()
+    batch = "crates/slices/tests/slices/batch/mod.rs"
+    text = (ROOT / (batch if target == "batch" else f"tests/properties/{target}.rs")).read_text()
     return re.search(r"properties! \{([\w\s]*)\}", text)[1].split()
 
 

@@ -1,7 +1,7 @@
-//! The properties of `tests/properties` and `tests/slices`, for the fuzz targets.
+//! The properties of `tests/properties` and `crates/slices`, for the fuzz targets.
 
 // The files that two crates compile: under `cargo test` each property becomes a test of the library, here it does not.
-#[path = "../../tests/slices/batch/mod.rs"]
+#[path = "../../crates/slices/tests/slices/batch/mod.rs"]
 pub mod batch;
 #[path = "../../tests/properties/main.rs"]
 mod properties;
