@@ -1,5 +1,5 @@
 use super::Ellipsoid;
-use crate::math::octant;
+use crate::math::octant_degrees;
 use crate::{Ecef, Geodetic, LatLon, Real};
 
 /// Converts Earth-centred points near the surface to latitude, longitude and height by a series: cheaper than
@@ -128,15 +128,8 @@ impl<T: Real> GeodeticSeries<T> {
         let drop = a * (q * (half + q * (T::of(0.125) + q * tail)));
         let height = (r - a) + (drop - r * tt * (half - T::of(0.375) * tt));
 
-        let lat = degrees(s + c * t, c - s * t).copysign(z);
-        let lon = degrees(y.abs(), x).copysign(y);
+        let lat = octant_degrees(s + c * t, c - s * t).copysign(z);
+        let lon = octant_degrees(y.abs(), x).copysign(y);
         Geodetic::within(LatLon::within(lat, lon), height)
     }
-}
-
-/// The angle from the x axis to the point (x, y), y ≥ 0, in degrees.
-#[inline(always)]
-fn degrees<T: Real>(y: T, x: T) -> T {
-    let (eighths, rest) = octant(y, x);
-    T::of(45.0) * eighths + T::of(180.0 / core::f64::consts::PI) * rest
 }

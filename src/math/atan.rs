@@ -103,6 +103,13 @@ pub(crate) fn octant_radians<T: Real>(y: T, x: T) -> (T, T) {
     )
 }
 
+/// The same angle in degrees.
+#[inline(always)]
+pub(crate) fn octant_degrees<T: Real>(y: T, x: T) -> T {
+    let (eighths, rest) = octant(y, x);
+    eighths * T::of(45.0) + rest * T::of(180.0 / core::f64::consts::PI)
+}
+
 #[cfg_attr(not(small), inline(always))]
 fn radians<T: Real>(y: T, x: T) -> T {
     Reduced::new(y, x).radians().copysign(y)

@@ -23,12 +23,10 @@ pub struct Test {
 impl Test {
     fn command(&self) -> Command {
         let mut command = Command::new(&self.program);
-        command
-            .current_dir(&self.tree)
-            .args(["--exact", &self.name, "--test-threads", "1"]);
+        command.current_dir(&self.tree).args(["--exact", &self.name]);
         // Functions are not optimised, and what they choose from takes stack.
         command
-            .env("RAYON_NUM_THREADS", "1")
+            .env("RUST_TEST_THREADS", "1")
             .env("RUST_MIN_STACK", "1000000000");
         command.stdout(Stdio::null()).stderr(Stdio::null());
         command

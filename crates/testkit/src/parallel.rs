@@ -1,5 +1,6 @@
-//! Work on all cores.
+//! Work on all cores, or on as many as the variable `RUST_TEST_THREADS` says.
 
+use std::env;
 use std::panic::resume_unwind;
 use std::sync::Mutex;
 use std::thread::{available_parallelism, scope};
@@ -11,8 +12,9 @@ pub fn map<I, R: Send>(items: impl IntoIterator<Item = I, IntoIter: Send>, work:
     let run = || -> Vec<(usize, R)> { std::iter::from_fn(next).map(|(at, item)| (at, work(item))).collect() };
     let mut results = Vec::new();
     scope(|scope| {
-        let cores = available_parallelism().map_or(1, usize::from);
-        let threads: Vec<_> = (0..cores).map(|_| scope.spawn(run)).collect();
+        let said = env::var("RUST_TEST_THREADS").ok().and_then(|count| count.parse().ok());
+        let count = said.unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
+        let threads: Vec<_> = (0..count).map(|_| scope.spawn(run)).collect();
         for thread in threads {
             results.extend(thread.join().unwrap_or_else(|why| resume_unwind(why)));
         }

@@ -7,7 +7,7 @@ use crate::geodesic::Direct;
 use crate::geodesic::angle::{Angle, off_pole, wrapped};
 use crate::geodesic::series::short::{c1, c1_reverted, inverse_a1_less_1, waves};
 use crate::geodesic::sphere::{Start, parametric_by_reciprocal};
-use crate::math::{either, octant, select, sin_cos, sin_cos_degrees};
+use crate::math::{either, octant_degrees, select, sin_cos, sin_cos_degrees};
 use crate::{LatLon, Real};
 
 impl<T: Real> Solver<T> {
@@ -102,6 +102,5 @@ pub fn arrival<T: Real>(
 /// The angle of the point (x, y) from the x axis, in degrees.
 #[inline(always)]
 fn angle_degrees<T: Real>(y: T, x: T) -> T {
-    let (eighths, rest) = octant(y.abs(), x);
-    (eighths * T::of(45.0) + rest * T::of(180.0 / PI)).copysign(y)
+    octant_degrees(y.abs(), x).copysign(y)
 }

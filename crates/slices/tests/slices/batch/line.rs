@@ -19,11 +19,11 @@ fn any_method<T: Scalar>(bytes: &mut Bytes<'_>) -> AnyMethod<T> {
     solver.or_else(|_| method.about(Ellipsoid::WGS84, about)).unwrap()
 }
 
-fn checked<T: Scalar>([lat, lon]: [T; 2]) -> Problem<T, LatLon<T>> {
+pub(super) fn checked<T: Scalar>([lat, lon]: [T; 2]) -> Problem<T, LatLon<T>> {
     LatLon::new(lat, lon).map_err(InvalidProblem::LatLon)
 }
 
-fn line<T: Scalar>(method: &AnyMethod<T>, from: LatLon<T>, to: LatLon<T>) -> Problem<T, [T; 3]> {
+pub(super) fn line<T: Scalar>(method: &impl Geodesic<T>, from: LatLon<T>, to: LatLon<T>) -> Problem<T, [T; 3]> {
     let line = method.inverse(from, to).map_err(InvalidProblem::Geodesic)?;
     Ok([line.distance, line.azimuth1, line.azimuth2])
 }
@@ -32,7 +32,12 @@ fn length<T: Scalar>(method: &AnyMethod<T>, from: LatLon<T>, to: LatLon<T>) -> P
     line(method, from, to).map(|[distance, ..]| [distance])
 }
 
-fn end<T: Scalar>(method: &AnyMethod<T>, from: LatLon<T>, azimuth: T, distance: T) -> Problem<T, [T; 3]> {
+pub(super) fn end<T: Scalar>(
+    method: &impl Geodesic<T>,
+    from: LatLon<T>,
+    azimuth: T,
+    distance: T,
+) -> Problem<T, [T; 3]> {
     let end = method.direct(from, azimuth, distance);
     let end = end.map_err(InvalidProblem::Geodesic)?;
     Ok([end.position.lat(), end.position.lon(), end.azimuth])

@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use terrella::batch::{self, InvalidBatch, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
+use terrella::batch::{self, InvalidBatch, cube::InvalidPoint, ellipsoid::InvalidGeodetic};
 use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint};
 use terrella::geodesic::{Geodesic, Karney, Vincenty};
 use terrella::latitude::Conversion;
@@ -19,7 +19,7 @@ mod scene;
 mod terrain;
 
 use frame::frames;
-use line::{distances, lines, paths};
+use line::{checked, distances, end, line, lines, paths};
 use ring::rings;
 use scene::answers;
 use terrain::{keys, samples, tiles};
@@ -392,12 +392,7 @@ fn inverses<T: Scalar>(bytes: &mut Bytes<'_>) {
             bytes,
             "inverse",
             pair,
-            |[lat1, lon1, lat2, lon2]| {
-                let from = LatLon::new(lat1, lon1).map_err(InvalidProblem::LatLon)?;
-                let to = LatLon::new(lat2, lon2).map_err(InvalidProblem::LatLon)?;
-                let line = method.inverse(from, to).map_err(InvalidProblem::Geodesic)?;
-                Ok([line.distance, line.azimuth1, line.azimuth2])
-            },
+            |[lat1, lon1, lat2, lon2]| line(method, checked([lat1, lon1])?, checked([lat2, lon2])?),
             |[lat1, lon1, lat2, lon2], lines| batch::geodesic::inverse(method, [lat1, lon1], [lat2, lon2], lines),
         );
     }
@@ -419,13 +414,7 @@ fn directs<T: Scalar>(bytes: &mut Bytes<'_>) {
                 let [lat, lon] = place(bytes);
                 [lat, lon, entry(bytes, 400.0), entry(bytes, 4e8)]
             },
-            |[lat, lon, azimuth, distance]| {
-                let from = LatLon::new(lat, lon).map_err(InvalidProblem::LatLon)?;
-                let end = method
-                    .direct(from, azimuth, distance)
-                    .map_err(InvalidProblem::Geodesic)?;
-                Ok([end.position.lat(), end.position.lon(), end.azimuth])
-            },
+            |[lat, lon, azimuth, distance]| end(method, checked([lat, lon])?, azimuth, distance),
             |[lat, lon, azimuth, distance], ends| batch::geodesic::direct(method, [lat, lon], azimuth, distance, ends),
         );
     }

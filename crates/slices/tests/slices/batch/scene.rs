@@ -1,10 +1,10 @@
 //! What scenes choose.
 
-use terrella::batch::{self, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem};
-use terrella::geodesic::Geodesic;
+use terrella::batch::{self, ellipsoid::InvalidGeodetic};
 use terrella::scene::{Scene, View};
 use terrella::{Ellipsoid, Geodetic, LatLon};
 
+use super::line::{checked, end, line};
 use super::{compare, entry, pair, place};
 use testkit::bytes::Bytes;
 use testkit::scalar::Scalar;
@@ -41,12 +41,7 @@ pub(super) fn answers<T: Scalar>(bytes: &mut Bytes<'_>) {
             bytes,
             "inverse",
             pair,
-            |[lat1, lon1, lat2, lon2]| {
-                let from = LatLon::new(lat1, lon1).map_err(InvalidProblem::LatLon)?;
-                let to = LatLon::new(lat2, lon2).map_err(InvalidProblem::LatLon)?;
-                let line = method.inverse(from, to).map_err(InvalidProblem::Geodesic)?;
-                Ok([line.distance, line.azimuth1, line.azimuth2])
-            },
+            |[lat1, lon1, lat2, lon2]| line(&method, checked([lat1, lon1])?, checked([lat2, lon2])?),
             |[lat1, lon1, lat2, lon2], lines| batch::scene::inverse(method, [lat1, lon1], [lat2, lon2], lines),
         );
     } else {
@@ -57,12 +52,7 @@ pub(super) fn answers<T: Scalar>(bytes: &mut Bytes<'_>) {
                 let [lat, lon] = place(bytes);
                 [lat, lon, entry(bytes, 400.0), entry(bytes, 1e6)]
             },
-            |[lat, lon, azimuth, distance]| {
-                let from = LatLon::new(lat, lon).map_err(InvalidProblem::LatLon)?;
-                let end = method.direct(from, azimuth, distance);
-                let end = end.map_err(InvalidProblem::Geodesic)?;
-                Ok([end.position.lat(), end.position.lon(), end.azimuth])
-            },
+            |[lat, lon, azimuth, distance]| end(&method, checked([lat, lon])?, azimuth, distance),
             |[lat, lon, azimuth, distance], ends| batch::scene::direct(method, [lat, lon], azimuth, distance, ends),
         );
     }
