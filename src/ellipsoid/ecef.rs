@@ -281,8 +281,9 @@ impl<T: Real> Ellipsoid<T> {
             select(oblate, (across / axes, x), (x / axes, across))
         } else {
             let k = astroid(p, q);
-            let beside = k + T::ONE;
-            select(oblate, (z.abs() * beside, rho * k), (z.abs() * k, rho * beside))
+            // Far away, z k would leave the scalar's range.
+            let part = k / (k + T::ONE);
+            select(oblate, (z.abs(), rho * part), (z.abs() * part, rho))
         };
         (select(z < T::ZERO, -sin, sin), cos)
     }
@@ -308,10 +309,10 @@ fn astroid<T: Real>(p: T, q: T) -> T {
         let (_, cos) = sin_cos(angle / T::of(3.0));
         r + T::of(2.0) * r * cos
     };
-    let u = u * scale;
-    let v = (u * u + q).sqrt();
-    let sum = if u < T::ZERO { q / (v - u) } else { u + v };
-    let w = max(T::ZERO, (sum - q) / (v + v));
+    let v = (u * u + qs / scale).sqrt();
+    let sum = if u < T::ZERO { qs / scale / (v - u) } else { u + v };
+    let w = max(T::ZERO, (sum - qs) / (v + v));
+    let sum = sum * scale;
     sum / ((sum + w * w).sqrt() + w)
 }
 

@@ -59,6 +59,31 @@ fn ties_go_where_the_documentation_says() {
     ties::<f32>();
 }
 
+/// Beside the axis and beside the equator, as near as numbers go and as far.
+fn far_and_near<T: Scalar>(smallest: f64, largest: i32) {
+    for name in ELLIPSOIDS {
+        let e = ellipsoid::<T>(name);
+        let (a, b): (f64, f64) = (e.a().into(), e.b().into());
+        for power in 7..=largest {
+            let far = 2.933_044 * 10_f64.powi(power);
+            for tiny in [0.0, smallest, 6.592_815e-37, 1e-20, 1e-9] {
+                near::<T>(of::<T>(name, tiny, 0.0, far), [90.0, 0.0, far - b]);
+                near::<T>(
+                    of::<T>(name, 0.0, -tiny, -far),
+                    [-90.0, if tiny == 0.0 { 0.0 } else { -90.0 }, far - b],
+                );
+                near::<T>(of::<T>(name, far, tiny, tiny), [0.0, 0.0, far - a]);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_axis_and_the_equator_at_every_distance() {
+    far_and_near::<f64>(5e-324, 307);
+    far_and_near::<f32>(1e-45, 37);
+}
+
 #[test]
 fn a_sphere_keeps_directions() {
     let moon = Ellipsoid::<f64>::MOON;
