@@ -2,9 +2,7 @@
 //! difference lost, and azimuths as users give them.
 
 use super::{GeodesicError, Inverse};
-use crate::math::{
-    DoubleWord, atan2, atan2_degrees, either, hypot, max, select, sin_cos, sin_cos_degrees, sin_cos_quarter,
-};
+use crate::math::{DoubleWord, atan2, atan2_degrees, either, hypot, max, select, sin_cos, sin_cos_degrees};
 use crate::{LatLon, Real};
 
 /// An angle by its sine and cosine.
@@ -108,21 +106,22 @@ impl<T: Real> DoubleWord<T> {
         let (sin, cos) = sin_cos_degrees(self.high);
         (sin + cos * small, cos - sin * small)
     }
-
-    /// The same for at most 90 degrees on either side, with half of the arithmetic, within 2 ulp.
-    #[inline(always)]
-    pub(super) fn sin_cos_acute(self) -> (T, T) {
-        let small = self.low * T::of(core::f64::consts::PI / 180.0);
-        let (sin, cos) = sin_cos_quarter(self.high.abs());
-        let sin = sin.copysign(self.high);
-        (sin + cos * small, cos - sin * small)
-    }
 }
 
 /// The second latitude less the first, in degrees.
 #[cfg_attr(not(small), inline(always))]
 pub fn latitude_difference<T: Real>(from: LatLon<T>, to: LatLon<T>) -> DoubleWord<T> {
     DoubleWord::sum(to.lat(), -from.lat())
+}
+
+/// The second longitude less the first, in degrees, as [`longitude_difference`] but in fewer steps: a
+/// difference of more than 90 may lose its last place, and that of 180 and less than its rounding is 180.
+#[cfg_attr(not(small), inline(always))]
+pub fn longitude_step<T: Real>(from: LatLon<T>, to: LatLon<T>) -> DoubleWord<T> {
+    let half_circle = T::of(180.0);
+    let whole = to.lon() - from.lon();
+    let over = either(whole.abs() > half_circle, half_circle.copysign(whole));
+    DoubleWord::sum(to.lon() - over, -(from.lon() + over))
 }
 
 /// The second longitude less the first, in degrees, in [−180, 180].

@@ -17,6 +17,7 @@ mod angle;
 mod error;
 mod fast;
 mod general;
+mod half_angle;
 mod mid_latitude;
 mod series;
 mod sphere;
@@ -166,6 +167,23 @@ pub trait Geodesic<T: Real> {
     #[inline(always)]
     fn far_inverse(&self, _from: LatLon<T>, _to: LatLon<T>) -> (Inverse<T>, bool) {
         (Inverse::nothing(), false)
+    }
+
+    /// As [`fast_inverse`](Self::fast_inverse) for [`batch::geodesic::distance`](crate::batch::geodesic::distance):
+    /// a number of which [`finish_distance`](Self::finish_distance) makes the distance. By default the distance
+    /// itself.
+    #[inline(always)]
+    fn fast_distance(&self, from: LatLon<T>, to: LatLon<T>) -> (T, bool) {
+        let (line, found) = self.fast_inverse(from, to);
+        (line.distance, found)
+    }
+
+    /// The distance from the number that [`fast_distance`](Self::fast_distance) found. A batch calls it in a
+    /// second loop: a processor overlaps more places in two short loops than in a long one. By default the
+    /// number itself.
+    #[inline(always)]
+    fn finish_distance(&self, number: T) -> T {
+        number
     }
 
     /// Solves the direct problem for [`batch::geodesic::direct`](crate::batch::geodesic::direct), as

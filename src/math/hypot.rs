@@ -12,13 +12,29 @@ pub(crate) fn hypot<T: Real>(x: T, y: T) -> T {
     scaled(x, y, grow, shrink)
 }
 
-/// The same of numbers of at most 1 in size, with half of the arithmetic.
+/// A number of at most 1 in size times 2⁵¹⁰ (2⁶²), so that its square underflows only where it does not
+/// matter.
 #[inline(always)]
-pub(crate) fn hypot_of_sines<T: Real>(x: T, y: T) -> T {
-    // 2^±510 and 2^±62.
-    let grow = T::pick(3.351_951_982_485_649_3e153, 4.611_686e18);
-    let shrink = T::pick(2.983_336_292_480_083e-154, 2.168_404_3e-19);
-    scaled(x, y, grow, shrink)
+pub(crate) fn grown<T: Real>(x: T) -> T {
+    x * T::pick(3.351_951_982_485_649_3e153, 4.611_686e18)
+}
+
+/// The square of a number [`grown`], from the square of the number itself.
+#[inline(always)]
+pub(crate) fn grown_square<T: Real>(square: T) -> T {
+    square * T::pick(1.123_558_209_288_947_4e307, 2.126_764_8e37)
+}
+
+/// The root of the square of a number [`grown`].
+#[inline(always)]
+pub(crate) fn shrunk_root<T: Real>(square: T) -> T {
+    square.sqrt() * T::pick(2.983_336_292_480_083e-154, 2.168_404_3e-19)
+}
+
+/// The square of a number, from that of the number [`grown`].
+#[inline(always)]
+pub(crate) fn shrunk_square<T: Real>(square: T) -> T {
+    square * T::pick(8.900_295_434_028_806e-308, 4.701_977_4e-38)
 }
 
 /// By squares of the numbers times `grow`; `shrink` is its reciprocal.

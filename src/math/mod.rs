@@ -18,6 +18,7 @@
 //! The table's last column is measured: `cargo test --release --test every_f32 -- --ignored --nocapture`
 //! compares every `f32` in the domain.
 
+mod asin;
 mod atan;
 mod cbrt;
 mod complex;
@@ -36,15 +37,17 @@ mod polynomial;
 mod sin_cos;
 mod tan;
 
+pub(crate) use asin::{arc, arc_radians, doubled_arc};
 pub use atan::{atan, atan2, atan2_degrees};
-pub(crate) use atan::{atan2_eighth, octant, octant_degrees, octant_radians, turned_degrees};
+pub(crate) use atan::{atan2_eighth, octant, octant_degrees, turned_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::Complex;
 pub(crate) use double_word::{DoubleWord, hypotenuse, product, product_of_any, sum};
 pub use exp_m1::exp_m1;
 pub use extremes::{max, min};
 pub(crate) use gudermannian::{gudermannian, inverse_gudermannian};
-pub(crate) use hypot::{hypot, hypot_of_sines};
+pub(crate) use hypot::{grown, grown_square, hypot};
+use hypot::{shrunk_root, shrunk_square};
 pub(crate) use interleave::{gathered, spread};
 pub use log2::log2;
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_COS, QUAD_M, QUAD_SIN, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};

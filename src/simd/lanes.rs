@@ -73,6 +73,16 @@ pub(crate) trait Element<Input>: Copy {
     /// The results for numbers that are kept, and whether they are those of [`one`](Self::one), bit for bit.
     fn fast(&self, input: Input) -> (Self::Output, bool);
 
+    /// Whether [`finish`](Self::finish) does anything. Where it does not, its loop is not compiled.
+    const FINISHES: bool = false;
+
+    /// What is left to do to a result of [`fast`](Self::fast), in a loop of its own: a processor overlaps more
+    /// rows of two short loops than of a long one.
+    #[inline(always)]
+    fn finish(&self, output: Self::Output) -> Self::Output {
+        output
+    }
+
     /// Whether [`second`](Self::second) finds any. Where it does not, its loop is not compiled.
     const SECOND: bool = false;
 
@@ -247,6 +257,12 @@ where
                     *slot = fast;
                 }
                 all &= fast;
+            }
+            if K::FINISHES {
+                for i in 0..count {
+                    let row = kernel.finish(D::get(&results, i));
+                    D::put(&mut results, i, row);
+                }
             }
             if !kept {
                 for i in 0..count {

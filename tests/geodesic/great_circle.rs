@@ -231,7 +231,7 @@ fn climbing_finds_no_distance_worse_than_claimed() {
     let mut rng = fastrand::Rng::with_seed(31);
     let mut worst = Worst::default();
     // The worst of a longer search.
-    worst.add(error([81.897_995, 6.705_225, 82.362_51, 69.503_41]));
+    worst.add(error([57.372_787, 143.648_93, 57.928_08, 129.177_19]));
     for _ in 0..400 {
         let apart = 10.0_f32.powf(3.0 * rng.f32() - 2.0);
         let (lat, lon) = (160.0 * rng.f32() - 80.0, 300.0 * rng.f32() - 150.0);
@@ -253,17 +253,17 @@ fn climbing_finds_no_distance_worse_than_claimed() {
     }
     let worst = worst.value();
     println!("{worst:e}");
-    assert!(worst > 3.0e-7 && worst <= 4.5e-7, "{worst:e}");
+    assert!(worst > 3.0e-7 && worst <= 4.2e-7, "{worst:e}");
 }
 
 /// The worst in `f64` that climbing found, by 40 digits.
 #[test]
 fn the_worst_distance_between_neighbours() {
     let (from, to) = (
-        place(-59.090_545_616_031_818, -128.799_924_414_945_05),
-        place(-59.084_057_742_383_656, -128.575_553_903_537_41),
+        place(-55.378_945_537_922_08, 123.875_699_911_301_87),
+        place(-55.471_549_572_492_1, 125.699_350_687_937_61),
     );
-    let truth = 0.0020149576356392612;
+    let truth = 0.018_133_826_846_893_837;
     let error = (unit::<f64>().inverse(from, to).unwrap().distance - truth).abs() / truth;
-    assert!((8.4e-16..=9e-16).contains(&error), "{error:e}");
+    assert!((6.8e-16..=8e-16).contains(&error), "{error:e}");
 }

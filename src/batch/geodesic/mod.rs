@@ -126,6 +126,7 @@ impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Distance<'_, M> {
     type Output = [T; 1];
     type Error = InvalidProblem<T>;
 
+    const FINISHES: bool = true;
     const SECOND: bool = true;
 
     #[inline(always)]
@@ -140,8 +141,14 @@ impl<T: Real, M: Geodesic<T>> Element<Pair<T>> for Distance<'_, M> {
 
     #[inline(always)]
     fn fast(&self, pair: Pair<T>) -> ([T; 1], bool) {
-        let ([distance, ..], found) = Inverse(self.0).fast(pair);
+        let (from, to) = pair;
+        let (distance, found) = self.0.fast_distance(within(from), within(to));
         ([distance], found)
+    }
+
+    #[inline(always)]
+    fn finish(&self, [distance]: [T; 1]) -> [T; 1] {
+        [self.0.finish_distance(distance)]
     }
 
     #[inline(always)]
