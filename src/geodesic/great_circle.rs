@@ -3,7 +3,7 @@ use super::half_angle::{HalfAngle, HalfArc};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::math::{
-    DoubleWord, atan2, atan2_degrees, grown, grown_square, hypot, select, sin_cos, sin_cos_degrees,
+    DoubleWord, atan2, atan2_degrees, grown, hypot, select, shrunk_square, sin_cos, sin_cos_degrees,
 };
 use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
@@ -84,12 +84,13 @@ impl<T: Real> Delambre<T> {
         let difference = HalfAngle::of_difference(latitude_difference(from, to));
         let sum = HalfAngle::of_sum(DoubleWord::sum(from.lat(), to.lat()));
         Self::products(lon.sin_cos(), difference.sin_cos(), sum.sin_cos(), |_, _| {
-            let ((grown_lon, _), (grown_difference, _)) = (lon.grown_squares(), difference.grown_squares());
-            let ((sin_lon, cos_lon), (_, cos_difference)) = (lon.squares(), difference.squares());
+            // Of each product one factor is grown.
+            let (sin_lon, cos_lon) = lon.grown_squares();
+            let ((sin_difference, _), (_, cos_difference)) = (difference.grown_squares(), difference.squares());
             let (sin_sum, cos_sum) = sum.squares();
             HalfArc::new(
-                grown_lon * cos_sum + cos_lon * grown_difference,
-                grown_square(sin_lon * sin_sum + cos_lon * cos_difference),
+                sin_lon * cos_sum + shrunk_square(cos_lon) * sin_difference,
+                sin_lon * sin_sum + cos_lon * cos_difference,
             )
         })
     }

@@ -9,7 +9,7 @@ use crate::math::{DoubleWord, choose, doubled_arc, grown, grown_square, min, sin
 #[derive(Clone, Copy)]
 pub(super) struct HalfAngle<T> {
     sign: T,
-    /// Negative beyond 45°.
+    /// Negative beyond 45° of the half.
     side: T,
     sin: T,
     cos: T,
@@ -37,11 +37,10 @@ impl<T: Real> HalfAngle<T> {
 
     #[inline(always)]
     fn of(degrees: T, lost: T) -> Self {
-        let half = T::of(0.5);
-        let (x, sign) = (degrees.abs() * half, T::ONE.copysign(degrees + T::ZERO));
-        let turned = min(x, (T::of(90.0) - x) - sign * (lost * half));
-        let (sin, cos) = sin_cos_eighth(turned * T::of(PI / 180.0));
-        let (side, rest) = (T::of(45.0) - x, T::ZERO);
+        let (x, sign) = (degrees.abs(), T::ONE.copysign(degrees + T::ZERO));
+        let turned = min(x, (T::of(180.0) - x) - sign * lost);
+        let (sin, cos) = sin_cos_eighth(turned * T::of(PI / 360.0));
+        let (side, rest) = (T::of(90.0) - x, T::ZERO);
         Self {
             sign,
             side,

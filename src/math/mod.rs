@@ -46,8 +46,8 @@ pub(crate) use double_word::{DoubleWord, hypotenuse, product, product_of_any, su
 pub use exp_m1::exp_m1;
 pub use extremes::{max, min};
 pub(crate) use gudermannian::{gudermannian, inverse_gudermannian};
-pub(crate) use hypot::{grown, grown_square, hypot};
-use hypot::{shrunk_root, shrunk_square};
+use hypot::shrunk_root;
+pub(crate) use hypot::{grown, grown_square, hypot, shrunk_square};
 pub(crate) use interleave::{gathered, spread};
 pub use log2::log2;
 pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_COS, QUAD_M, QUAD_SIN, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};

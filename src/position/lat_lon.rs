@@ -206,16 +206,17 @@ impl<T: Real> LatLon<T> {
     /// Sine and cosine of latitude and longitude.
     #[inline(always)]
     pub(crate) fn sin_cos(self) -> [(T, T); 2] {
-        let [[sin_lat, sin_lon], [cos_lat, cos_lon]] = self.sines_and_cosines();
+        let [[sin_lon, sin_lat], [cos_lon, cos_lat]] = self.sines_and_cosines();
         [(sin_lat, cos_lat), (sin_lon, cos_lon)]
     }
 
-    /// Not inlined, and in this order: so the compiler computes both angles side by side, whatever a caller
-    /// does between.
+    /// Not inlined: so the compiler computes both angles side by side, whatever a caller does between; not by
+    /// the array's `map`, which it may leave a loop of calls. In this order: where it reads two of the numbers
+    /// at once, they were written at once, else a processor waits until they are in its cache.
     #[inline(never)]
     fn sines_and_cosines(self) -> [[T; 2]; 2] {
-        let [lat, lon] = [self.lat, self.lon].map(sin_cos_degrees);
-        [[lat.0, lon.0], [lat.1, lon.1]]
+        let (lat, lon) = (sin_cos_degrees(self.lat), sin_cos_degrees(self.lon));
+        [[lon.0, lat.0], [lon.1, lat.1]]
     }
 }
 

@@ -38,6 +38,8 @@ pub struct Pair<T> {
     pub(super) rise: T,
     /// The smallest ω₁₂ near the antipode.
     pub(super) least_omega: T,
+    /// Whether the equator is the shortest line.
+    equatorial: bool,
 }
 
 /// The great circle between two places for one ω₁₂.
@@ -84,18 +86,20 @@ impl<T: Real> Pair<T> {
             side: T::ONE,
             rise: T::ZERO,
             least_omega: T::ZERO,
+            // On an oblate ellipsoid it is up to the conjugate point, where ω₁₂ is π.
+            equatorial: (phi1 == T::ZERO) & (high.abs() < T::of(180.0) * min(axes, T::ONE)),
         }
     }
 
     /// Whether the places are so nearly antipodal, 170° apart or more, that ω₁₂ turns the line faster than
-    /// λ₁₂ tells it.
+    /// λ₁₂ tells it; along the equator it does not.
     #[inline(always)]
     pub fn nearly_antipodal(&self) -> bool {
         let sin_half = self.half_lambda12.sin;
         let cos_lambda12 = T::ONE - (sin_half + sin_half) * sin_half;
         let (beta1, beta2) = (self.beta1, self.beta2);
         let cos_sigma12 = beta1.sin * beta2.sin + beta1.cos * beta2.cos * cos_lambda12;
-        (self.lambda12 >= T::of(90.0)) & (cos_sigma12 < T::of(-0.985))
+        (self.lambda12 >= T::of(90.0)) & (cos_sigma12 < T::of(-0.985)) & !self.equatorial
     }
 
     /// Whether, seen as it is, the second place is neither north nor south of the first.
