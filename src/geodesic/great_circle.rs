@@ -400,7 +400,7 @@ fn track<T: Real>(place: LatLon<T>, start: LatLon<T>, end: LatLon<T>) -> Track<T
 #[cfg_attr(not(small), inline(always))]
 fn track_beside<T: Real>(place: LatLon<T>, start: LatLon<T>, azimuth: T) -> Track<T> {
     let line = Delambre::between(start, place);
-    let (sin, cos) = sin_cos(line.angle());
+    let (sin, cos) = line.side.sin_cos();
     let (toward, _) = line.azimuths();
     let (sin_turn, cos_turn) = sin_cos_degrees(toward - azimuth);
     let ahead = sin * cos_turn;

@@ -1,7 +1,9 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use crate::Real;
-use crate::math::{DoubleWord, choose, doubled_arc, grown, grown_square, min, sin_cos_eighth};
+use crate::math::{
+    DoubleWord, choose, doubled_arc, grown, grown_square, min, shrunk_root, shrunk_square, sin_cos_eighth,
+};
 
 /// Half of an angle, at most 90° in size, by the sine of what lies between it and the nearest of 0°, 90°.
 ///
@@ -90,6 +92,16 @@ impl<T: Real> HalfArc<T> {
     #[inline(always)]
     pub fn new(sine: T, cosine: T) -> Self {
         Self(min(sine, cosine).copysign(cosine - sine))
+    }
+
+    /// Sine and cosine of the arc.
+    #[inline(always)]
+    pub fn sin_cos(self) -> (T, T) {
+        let (one, two) = (T::ONE, T::of(2.0));
+        let square = self.0.abs();
+        let small = shrunk_square(square);
+        let sin = two * shrunk_root(square * (one - small));
+        (sin, (one - two * small).copysign(self.0))
     }
 
     /// The arc, in radians: twice the arc sine of the root, or what that lacks of π.

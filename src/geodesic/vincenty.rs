@@ -11,7 +11,7 @@ use super::fast::{Pair, Trial, arrival, start};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::latitude::UnsupportedFlattening;
-use crate::math::{arc, choose, min, repeat, sin_cos, sin_cos_degrees};
+use crate::math::{choose, min, octant, repeat, sin_cos, sin_cos_degrees};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// The flattening up to which errors are below 0.1 mm. They grow with its fourth power.
@@ -274,7 +274,7 @@ impl<T: Real> Vincenty<T> {
 /// σ in radians.
 #[inline(always)]
 fn sigma<T: Real>(trial: &Trial<T>) -> T {
-    let (eighths, rest) = arc(trial.sin_sigma12, trial.cos_sigma12);
+    let (eighths, rest) = octant(trial.sin_sigma12, trial.cos_sigma12);
     eighths * T::of(FRAC_PI_4) + rest
 }
 

@@ -91,6 +91,18 @@ pub(crate) fn octant<T: Real>(y: T, x: T) -> (T, T) {
     (eighths, negated(steep != back, rest))
 }
 
+/// The same angle in radians, as a sum of two numbers.
+#[inline(always)]
+pub(crate) fn octant_radians<T: Real>(y: T, x: T) -> (T, T) {
+    let (eighths, rest) = octant(y, x);
+    // π/4 in two parts, the first so short that four times it is exact.
+    let high = eighths * T::pick(core::f64::consts::FRAC_PI_4, 1_647_099.0 / 2_097_152.0);
+    (
+        high,
+        eighths * T::pick(3.061_616_997_868_383e-17, 1.569_582_4e-7) + rest,
+    )
+}
+
 /// The same angle in degrees.
 #[inline(always)]
 pub(crate) fn octant_degrees<T: Real>(y: T, x: T) -> T {

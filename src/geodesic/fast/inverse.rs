@@ -7,7 +7,7 @@
 use super::{Pair, Solver, Trial};
 use crate::geodesic::Inverse;
 use crate::geodesic::series::short::{a1_less_1, c1_between, waves};
-use crate::math::{arc_radians, choose, max, min, repeat, select};
+use crate::math::{choose, max, min, octant_radians, repeat, select};
 use crate::{LatLon, Real};
 
 /// Where Newton's method has ended.
@@ -168,7 +168,7 @@ impl<T: Real> Solver<T> {
             (trial.sin_sigma12, trial.cos_sigma12),
         );
         let (a3, bend) = self.series.i3(epsilon, waves);
-        let (high, low) = arc_radians(trial.sin_sigma12, trial.cos_sigma12);
+        let (high, low) = octant_radians(trial.sin_sigma12, trial.cos_sigma12);
         let sigma12 = high + low;
         let rate = side * (self.f * trial.sin_alpha0);
         let excess = (left + rate * bend) + rate * a3 * sigma12;
