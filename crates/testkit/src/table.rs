@@ -30,7 +30,7 @@ const FUNCTIONS: &[(&str, &str, [f64; 2])] = &[
     ("Karney direct, position after several circuits", "m", [2.6e-8, 12.0]),
     ("Karney area under a line", "m²", [0.1, 6e7]),
     ("Karney area under a line of less than 1000 km", "m²", [0.02, 2e5]),
-    ("GreatCircle distance, relative", "", [9e-16, 4.5e-7]),
+    ("GreatCircle distance, relative", "", [8e-16, 4.2e-7]),
     ("Vincenty inverse, distance", "m", [1e-4, 7.0]),
     ("Ellipsoid::to_ecef below 100 km", "m", [9.5e-10, 0.5]),
     ("Ellipsoid::to_ecef to 50 000 km", "m", [6e-9, 3.2]),
