@@ -2,9 +2,7 @@ use super::angle::{heading, latitude_difference, longitude_step, off_pole, turns
 use super::half_angle::{HalfAngle, HalfArc};
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
-use crate::math::{
-    DoubleWord, atan2, atan2_degrees, grown, hypot, select, shrunk_square, sin_cos, sin_cos_degrees,
-};
+use crate::math::{DoubleWord, atan2, atan2_degrees, grown, hypot, select, shrunk_square, sin_cos, sin_cos_degrees};
 use crate::{Direction, Ellipsoid, InvalidEllipsoid, LatLon, Real};
 
 profile! {

@@ -145,6 +145,10 @@ fn great_circle<T: Scalar, V: Visitor>(visitor: &mut V) {
             )
         },
     );
+    visitor.function::<T, _, _>("Geodesic::fast_distance", Arguments::pair::<T>, |[from, to]| {
+        let (number, found) = Geodesic::fast_distance(&sphere, from, to);
+        found.then_some(Geodesic::finish_distance(&sphere, number))
+    });
     let directions = |arguments: &mut Arguments| [arguments.direction::<T>(), arguments.direction()];
     visitor.function::<T, _, _>("GreatCircle::angle_radians", directions, |[a, b]| {
         GreatCircle::angle_radians(a, b)
