@@ -87,7 +87,7 @@ impl<T: Real> Pair<T> {
             rise: T::ZERO,
             least_omega: T::ZERO,
             // On an oblate ellipsoid it is up to the conjugate point, where ω₁₂ is π.
-            equatorial: (phi1 == T::ZERO) & (high.abs() < T::of(180.0) * min(axes, T::ONE)),
+            equatorial: (phi1 == T::ZERO) & (high.abs() < T::of(180.0) * axes),
         }
     }
 
