@@ -1,5 +1,6 @@
 use super::angle::{heading, latitude_difference, longitude_step, off_pole, turns_once, wrapped};
-use super::half_angle::{HalfAngle, HalfArc};
+use super::half_angle::HalfAngle;
+use super::half_arc::HalfArc;
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, Inverse};
 use crate::math::{DoubleWord, atan2, atan2_degrees, grown, hypot, select, shrunk_square, sin_cos, sin_cos_degrees};
@@ -23,8 +24,9 @@ profile! {
 /// The great circle, the shortest line on a sphere. As accurate between neighbours and near the antipode as
 /// anywhere else.
 ///
-/// Delambre's analogies give half of the angle and both azimuths from the halves of the longitudes'
-/// difference and of the latitudes' difference and sum. They are products only, so that no digits are lost.
+/// Delambre's analogies give both azimuths, and by their squares the angle, from the halves of the longitudes'
+/// difference and of the latitudes' difference and sum: by products and by sums of squares, so that no digits
+/// are lost.
 ///
 /// Worst error on a sphere of 6400 km, in metres. It is proportional to the radius:
 ///
@@ -70,27 +72,27 @@ impl<T: Real> Delambre<T> {
     /// cosines.
     #[inline(always)]
     pub fn new(lon: (T, T), difference: (T, T), sum: (T, T)) -> Self {
-        Self::products(lon, difference, sum, |sum, difference| {
-            let square = |(x, y): (T, T)| grown(x) * grown(x) + grown(y) * grown(y);
-            HalfArc::new(square(sum), square(difference))
-        })
+        let [sum, difference] = Self::products(lon, difference, sum);
+        let square = |(x, y): (T, T)| grown(x) * grown(x) + grown(y) * grown(y);
+        let side = HalfArc::new(square(sum), square(difference));
+        Self { sum, difference, side }
     }
 
     #[inline(always)]
     pub fn between(from: LatLon<T>, to: LatLon<T>) -> Self {
         let lon = HalfAngle::of_difference(longitude_step(from, to));
-        let difference = HalfAngle::of_difference(latitude_difference(from, to));
-        let sum = HalfAngle::of_sum(DoubleWord::sum(from.lat(), to.lat()));
-        Self::products(lon.sin_cos(), difference.sin_cos(), sum.sin_cos(), |_, _| {
-            // Of each product one factor is grown.
-            let (sin_lon, cos_lon) = lon.grown_squares();
-            let ((sin_difference, _), (_, cos_difference)) = (difference.grown_squares(), difference.squares());
-            let (sin_sum, cos_sum) = sum.squares();
-            HalfArc::new(
-                sin_lon * cos_sum + shrunk_square(cos_lon) * sin_difference,
-                sin_lon * sin_sum + cos_lon * cos_difference,
-            )
-        })
+        let lat = HalfAngle::of_difference(latitude_difference(from, to));
+        let both = HalfAngle::of_sum(DoubleWord::sum(from.lat(), to.lat()));
+        let [sum, difference] = Self::products(lon.sin_cos(), lat.sin_cos(), both.sin_cos());
+        // Of each product one factor is grown.
+        let (sin_lon, cos_lon) = lon.grown_squares();
+        let ((sin_lat, _), (_, cos_lat)) = (lat.grown_squares(), lat.squares());
+        let (sin_both, cos_both) = both.squares();
+        let side = HalfArc::new(
+            sin_lon * cos_both + shrunk_square(cos_lon) * sin_lat,
+            sin_lon * sin_both + cos_lon * cos_lat,
+        );
+        Self { sum, difference, side }
     }
 
     #[inline(always)]
@@ -98,12 +100,11 @@ impl<T: Real> Delambre<T> {
         (sin_lon, cos_lon): (T, T),
         (sin_difference, cos_difference): (T, T),
         (sin_sum, cos_sum): (T, T),
-        side: impl FnOnce((T, T), (T, T)) -> HalfArc<T>,
-    ) -> Self {
-        let sum = (sin_lon * cos_sum, cos_lon * sin_difference);
-        let difference = (sin_lon * sin_sum, cos_lon * cos_difference);
-        let side = side(sum, difference);
-        Self { sum, difference, side }
+    ) -> [(T, T); 2] {
+        [
+            (sin_lon * cos_sum, cos_lon * sin_difference),
+            (sin_lon * sin_sum, cos_lon * cos_difference),
+        ]
     }
 
     /// The side, in radians.

@@ -1,6 +1,7 @@
 use super::angle::{latitude_difference, longitude_step};
 use super::great_circle::Delambre;
-use super::half_angle::{HalfAngle, HalfArc};
+use super::half_angle::HalfAngle;
+use super::half_arc::HalfArc;
 use super::profile::profile;
 use super::{Direct, Geodesic, GeodesicError, GreatCircle, Inverse};
 use crate::math::{grown_square, max, sin_cos_quarter};

@@ -18,6 +18,7 @@ mod error;
 mod fast;
 mod general;
 mod half_angle;
+mod half_arc;
 mod mid_latitude;
 mod series;
 mod sphere;

@@ -9,7 +9,8 @@ pub(crate) fn hypot<T: Real>(x: T, y: T) -> T {
     // 2^±600 and 2^±100.
     let grow = select(small, T::pick(4.149_515_568_880_993e180, 1.267_650_6e30), T::ONE);
     let shrink = select(small, T::pick(2.409_919_865_102_884e-181, 7.888_609e-31), T::ONE);
-    scaled(x, y, grow, shrink)
+    let (x, y) = (x * grow, y * grow);
+    (x * x + y * y).sqrt() * shrink
 }
 
 /// A number of at most 1 in size times 2⁵¹⁰ (2⁶²), so that its square underflows only where it does not
@@ -35,11 +36,4 @@ pub(crate) fn shrunk_root<T: Real>(square: T) -> T {
 #[inline(always)]
 pub(crate) fn shrunk_square<T: Real>(square: T) -> T {
     square * T::pick(8.900_295_434_028_806e-308, 4.701_977_4e-38)
-}
-
-/// By squares of the numbers times `grow`; `shrink` is its reciprocal.
-#[inline(always)]
-fn scaled<T: Real>(x: T, y: T, grow: T, shrink: T) -> T {
-    let (x, y) = (x * grow, y * grow);
-    (x * x + y * y).sqrt() * shrink
 }
