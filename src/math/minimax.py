@@ -73,6 +73,21 @@ def conformal_root(t):
     return mpc(1, t) ** (mpf(4) / 3)
 
 
+# Cube maps by a function of each coordinate.
+def tangent_pair(theta):
+    return lambda u: atan(u * tan(theta)) / theta, lambda x: tan(theta * x) / tan(theta)
+
+
+ZUCKER_HIGASHI = tangent_pair(mpf("0.868734829276"))
+LAMBERS = tangent_pair(atan(mpf("1.1968")))
+TANH_C = mpf("0.9721")
+
+
+def unicube(x):
+    s = sin(pi * x / 6)
+    return s / sqrt(mpf(1) / 2 - s * s)
+
+
 QUARTER = (pi / 4 * mpf("1.0001")) ** 2
 HALF_LN_2 = log(mpf(2)) / 2 * mpf("1.0001")
 ENTRIES = [
@@ -86,6 +101,14 @@ ENTRIES = [
     ("QUAD_M", "12/π·asin(w·sin(π/12)) = w − w·(1 − w²)·p(w²), |w| ≤ 1: the forward ordinate of the quadrilateralized cube", odd_unit(quad_m), 0, 1, lambda z: 1 - z),
     ("QUAD_SIN", "√2·sin(πm/12) = m·(c + (1 − m²)·p(m²)), |m| ≤ 1, c = (√3 − 1)/2: toward the sphere", lambda z: (quad_sin(sqrt(z)) / sqrt(z) - QUAD_CORNER) / (1 - z), 0, 1, lambda z: 1 - z),
     ("QUAD_COS", "√2·cos(πm/12) − 1 = c + (1 − m²)·p(m²), |m| ≤ 1", lambda z: (quad_cos(sqrt(z)) - QUAD_CORNER) / (1 - z), 0, 1, lambda z: 1 - z),
+    ("UNICUBE_X", "x(u) = 6/π·asin(u/√(2 + 2u²)) = u − u·(1 − u²)·p(u²), |u| ≤ 1: the unicube", odd_unit(lambda u: 6 / pi * mp.asin(u / sqrt(2 + 2 * u * u))), 0, 1, lambda z: 1 - z),
+    ("UNICUBE_U", "u(x) = s/√(½ − s²), s = sin(πx/6): back", odd_unit(unicube), 0, 1, lambda z: 1 - z),
+    ("TANH_X", "x(u) = tanh(cu)/tanh c, c = 0.9721: Lambers' hyperbolic tangent", odd_unit(lambda u: mp.tanh(TANH_C * u) / mp.tanh(TANH_C)), 0, 1, lambda z: 1 - z),
+    ("TANH_U", "u(x) = atanh(x·tanh c)/c: back", odd_unit(lambda x: atanh(x * mp.tanh(TANH_C)) / TANH_C), 0, 1, lambda z: 1 - z),
+    ("ZUCKER_HIGASHI_X", "x(u) = atan(u·tan θ)/θ, θ = 0.868734829276: Zucker & Higashi's tangent", odd_unit(ZUCKER_HIGASHI[0]), 0, 1, lambda z: 1 - z),
+    ("ZUCKER_HIGASHI_U", "u(x) = tan(θx)/tan θ: back", odd_unit(ZUCKER_HIGASHI[1]), 0, 1, lambda z: 1 - z),
+    ("LAMBERS_X", "x(u) = atan(u·tan θ)/θ, θ = atan 1.1968: Lambers' tangent", odd_unit(LAMBERS[0]), 0, 1, lambda z: 1 - z),
+    ("LAMBERS_U", "u(x) = tan(θx)/tan θ: back", odd_unit(LAMBERS[1]), 0, 1, lambda z: 1 - z),
     ("VERTEX_T", "t(τ) = τ + τ·(1 − τ)·p(τ), 0 ≤ τ ≤ 1: the vertex map's area share", unit(vertex_t), 0, 1, lambda x: 1 - x),
     ("VERTEX_TAU", "τ(t) = t + t·(1 − t)·p(t), 0 ≤ t ≤ 1: its inverse", unit(vertex_tau), 0, 1, lambda x: 1 - x),
     ("POWER_RE", "Re c(k) = 1 + k·p(k), |k| ≤ 1, c(k) = e^(iπ/8)(1 + ik/√3)^¾/cos(π/8): the conformal map toward the plane", lambda k: (conformal_power(k).real - 1) / k, -1, 1, abs),

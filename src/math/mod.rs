@@ -49,7 +49,10 @@ pub(crate) use gudermannian::{gudermannian, inverse_gudermannian};
 pub(crate) use hypot::{grown, grown_square, hypot, shrunk_root, shrunk_square};
 pub(crate) use interleave::{gathered, spread};
 pub use log2::log2;
-pub(crate) use minimax::{POWER_IM, POWER_RE, QUAD_COS, QUAD_M, QUAD_SIN, ROOT_IM, ROOT_RE, VERTEX_T, VERTEX_TAU};
+pub(crate) use minimax::{
+    LAMBERS_U, LAMBERS_X, POWER_IM, POWER_RE, QUAD_COS, QUAD_M, QUAD_SIN, ROOT_IM, ROOT_RE, TANH_U, TANH_X, UNICUBE_U,
+    UNICUBE_X, VERTEX_T, VERTEX_TAU, ZUCKER_HIGASHI_U, ZUCKER_HIGASHI_X,
+};
 pub(crate) use polynomial::{halves, odd_unit};
 pub use sin_cos::{sin_cos, sin_cos_degrees};
 pub(crate) use sin_cos::{sin_cos_degrees_with_rest, sin_cos_eighth, sin_cos_quarter, sin_cos_small};

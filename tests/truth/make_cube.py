@@ -100,6 +100,43 @@ def everitt():
     return forward, inverse
 
 
+def unicube():
+    """u = s / sqrt(1/2 - s^2), s = sin(pi x / 6)."""
+
+    def forward(X, Y, Z):
+        return tuple(6 / mp.pi * mp.asin(u / mp.sqrt(2 * (1 + u * u))) for u in (X / Z, Y / Z))
+
+    def inverse(x, y):
+        s = [mp.sin(mp.pi * w / 6) for w in (x, y)]
+        return *(w / mp.sqrt(ONE / 2 - w * w) for w in s), ONE
+
+    return forward, inverse
+
+
+def hyperbolic():
+    """u = atanh(x tanh c) / c, c = 0.9721."""
+    c = mpf("0.9721")
+    t = mp.tanh(c)
+
+    def forward(X, Y, Z):
+        return tuple(mp.tanh(c * u) / t for u in (X / Z, Y / Z))
+
+    def inverse(x, y):
+        return mp.atanh(t * x) / c, mp.atanh(t * y) / c, ONE
+
+    return forward, inverse
+
+
+def polynomial_5():
+    """u = a x + b x^3 + c x^5; forward by Newton iteration."""
+    a, b, c = mpf("0.745558715593"), mpf("0.130546850193"), mpf("0.123894434214")
+
+    def inverse(x, y):
+        return *(w * (a + w * w * (b + c * w * w)) for w in (x, y)), ONE
+
+    return newton_forward(inverse), inverse
+
+
 def newton_forward(inverse):
     """Forward of a map given by its inverse: Newton on the gnomonic coordinates, Jacobian by differences."""
     h = mpf(10) ** -55
@@ -312,6 +349,14 @@ MAPS = {
     "cobe": ("COBE quadrilateralized Spherical Cube, published inverse polynomial, decimal coefficients taken exactly",
                        cobe_published),
     "everitt": ("Everitt's cube, x = u (11 - 3 |u|) / 8", everitt),
+    "unicube": ("Unicube, u = s / sqrt(1/2 - s^2), s = sin(pi x / 6)", unicube),
+    "tanh": ("Lambers' hyperbolic tangent, x = tanh(c u) / tanh(c), c = 0.9721 exactly", hyperbolic),
+    "zucker-higashi": ("Zucker & Higashi's tangent, u = tan(theta x) / tan(theta), theta = 0.868734829276 exactly",
+                       lambda: tangent_family(mpf("0.868734829276"))),
+    "lambers": ("Lambers' tangent, u = tan(theta x) / tan(theta), theta = atan(1.1968)",
+                lambda: tangent_family(mp.atan(mpf("1.1968")))),
+    "polynomial-5": ("Zucker & Higashi's polynomial of degree 5, decimal coefficients taken exactly; forward by Newton "
+                     "iteration", polynomial_5),
     "conformal": ("Conformal cube (Rancic, Purser & Mesinger), series of 320 terms about the nearest corner; "
                   "inverse by Newton iteration", conformal),
 }

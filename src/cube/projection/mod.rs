@@ -3,6 +3,7 @@
 mod catalogue;
 mod cube_projection;
 mod decay;
+mod odd;
 mod profile;
 mod quad_cube;
 mod tangent;
@@ -38,4 +39,9 @@ projections! {
     square::Square,
     separable::Separable,
     everitt::Everitt,
+    zucker_higashi::ZuckerHigashi,
+    lambers::Lambers,
+    polynomial_5::Polynomial5,
+    tanh::Tanh,
+    unicube::Unicube,
 }
