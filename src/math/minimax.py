@@ -78,8 +78,13 @@ def tangent_pair(theta):
     return lambda u: atan(u * tan(theta)) / theta, lambda x: tan(theta * x) / tan(theta)
 
 
-ZUCKER_HIGASHI = tangent_pair(mpf("0.868734829276"))
-LAMBERS = tangent_pair(atan(mpf("1.1968")))
+TANGENTS = [
+    ("ADJUSTED", "π/4: the adjusted cube", pi / 4),
+    ("EQUI_EDGE", "atan √½: equal edges", atan(sqrt(mpf(1) / 2))),
+    ("SEPARABLE", "acos 2^(−5/12): the separable map", mp.acos(mpf(2) ** (-mpf(5) / 12))),
+    ("ZUCKER_HIGASHI", "0.868734829276: Zucker & Higashi's tangent", mpf("0.868734829276")),
+    ("LAMBERS", "atan 1.1968: Lambers' tangent", atan(mpf("1.1968"))),
+]
 TANH_C = mpf("0.9721")
 
 
@@ -105,10 +110,14 @@ ENTRIES = [
     ("UNICUBE_U", "u(x) = s/√(½ − s²), s = sin(πx/6): back", odd_unit(unicube), 0, 1, lambda z: 1 - z),
     ("TANH_X", "x(u) = tanh(cu)/tanh c, c = 0.9721: Lambers' hyperbolic tangent", odd_unit(lambda u: mp.tanh(TANH_C * u) / mp.tanh(TANH_C)), 0, 1, lambda z: 1 - z),
     ("TANH_U", "u(x) = atanh(x·tanh c)/c: back", odd_unit(lambda x: atanh(x * mp.tanh(TANH_C)) / TANH_C), 0, 1, lambda z: 1 - z),
-    ("ZUCKER_HIGASHI_X", "x(u) = atan(u·tan θ)/θ, θ = 0.868734829276: Zucker & Higashi's tangent", odd_unit(ZUCKER_HIGASHI[0]), 0, 1, lambda z: 1 - z),
-    ("ZUCKER_HIGASHI_U", "u(x) = tan(θx)/tan θ: back", odd_unit(ZUCKER_HIGASHI[1]), 0, 1, lambda z: 1 - z),
-    ("LAMBERS_X", "x(u) = atan(u·tan θ)/θ, θ = atan 1.1968: Lambers' tangent", odd_unit(LAMBERS[0]), 0, 1, lambda z: 1 - z),
-    ("LAMBERS_U", "u(x) = tan(θx)/tan θ: back", odd_unit(LAMBERS[1]), 0, 1, lambda z: 1 - z),
+    *(
+        entry
+        for name, theta, (x, u) in ((name, text, tangent_pair(theta)) for name, text, theta in TANGENTS)
+        for entry in (
+            (f"{name}_X", f"x(u) = atan(u·tan θ)/θ = u − u·(1 − u²)·p(u²), |u| ≤ 1, θ = {theta}", odd_unit(x), 0, 1, lambda z: 1 - z),
+            (f"{name}_U", "u(x) = tan(θx)/tan θ: back", odd_unit(u), 0, 1, lambda z: 1 - z),
+        )
+    ),
     ("VERTEX_T", "t(τ) = τ + τ·(1 − τ)·p(τ), 0 ≤ τ ≤ 1: the vertex map's area share", unit(vertex_t), 0, 1, lambda x: 1 - x),
     ("VERTEX_TAU", "τ(t) = t + t·(1 − t)·p(t), 0 ≤ t ≤ 1: its inverse", unit(vertex_tau), 0, 1, lambda x: 1 - x),
     ("POWER_RE", "Re c(k) = 1 + k·p(k), |k| ≤ 1, c(k) = e^(iπ/8)(1 + ik/√3)^¾/cos(π/8): the conformal map toward the plane", lambda k: (conformal_power(k).real - 1) / k, -1, 1, abs),

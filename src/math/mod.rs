@@ -39,7 +39,7 @@ mod tan;
 
 pub(crate) use asin::doubled_arc;
 pub use atan::{atan, atan2, atan2_degrees};
-pub(crate) use atan::{atan2_eighth, octant, octant_degrees, octant_radians, turned_degrees};
+pub(crate) use atan::{octant, octant_degrees, octant_radians, turned_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::Complex;
 pub(crate) use double_word::{DoubleWord, hypotenuse, product, product_of_any, sum};
@@ -50,8 +50,9 @@ pub(crate) use hypot::{grown, grown_square, hypot, shrunk_root, shrunk_square};
 pub(crate) use interleave::{gathered, spread};
 pub use log2::log2;
 pub(crate) use minimax::{
-    LAMBERS_U, LAMBERS_X, POWER_IM, POWER_RE, QUAD_COS, QUAD_M, QUAD_SIN, ROOT_IM, ROOT_RE, TANH_U, TANH_X, UNICUBE_U,
-    UNICUBE_X, VERTEX_T, VERTEX_TAU, ZUCKER_HIGASHI_U, ZUCKER_HIGASHI_X,
+    ADJUSTED_U, ADJUSTED_X, EQUI_EDGE_U, EQUI_EDGE_X, LAMBERS_U, LAMBERS_X, POWER_IM, POWER_RE, QUAD_COS, QUAD_M,
+    QUAD_SIN, ROOT_IM, ROOT_RE, SEPARABLE_U, SEPARABLE_X, TANH_U, TANH_X, UNICUBE_U, UNICUBE_X, VERTEX_T, VERTEX_TAU,
+    ZUCKER_HIGASHI_U, ZUCKER_HIGASHI_X,
 };
 pub(crate) use polynomial::{halves, odd_unit};
 pub use sin_cos::{sin_cos, sin_cos_degrees};

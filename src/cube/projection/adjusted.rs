@@ -1,6 +1,6 @@
 use super::decay::smooth;
+use super::odd::odd;
 use super::profile::projection;
-use super::tangent::tangent;
 
 projection! {
     #[doc(alias = "EAC")]
@@ -18,18 +18,18 @@ projection! {
             (2016), §4.2.",
         choose: "Take it for agreement with equi-angular cube maps. No published projection here has less \
             texture oversize (2.000), but [`Balanced`](super::Balanced) has 1.405 and costs less on the way \
-            to the sphere. [`Algebraic`](super::Algebraic) needs no trigonometric function (79 instructions \
-            to the cube instead of 190), and its areas vary less (1.268 to 1 instead of 1.414 to 1), but its \
-            texture oversize is 2.712.",
+            to the sphere. [`Algebraic`](super::Algebraic) costs less (79 instructions to the cube instead of \
+            130), and its areas vary less (1.268 to 1 instead of 1.414 to 1), but its texture oversize is \
+            2.712.",
         keeps: None,
         area_ratio: 1.414,
         aspect_ratio: 2.000,
         oversize: 2.000,
         deformation: 31.1,
-        forward: Trigonometric, error [3.0e-16, 1.6e-7], instructions [190, 170];
-        inverse: Trigonometric, error [3.0e-16, 1.7e-7], instructions [93, 64];
+        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [130, 100];
+        inverse: Polynomial, error [2.9e-16, 1.6e-7], instructions [88, 64];
         tiles: smooth(0.79, 1.37),
     }
 }
 
-tangent! { Adjusted, core::f64::consts::FRAC_PI_4 }
+odd! { Adjusted, ADJUSTED_X, ADJUSTED_U }

@@ -1,6 +1,6 @@
 use super::decay::smooth;
+use super::odd::odd;
 use super::profile::projection;
-use super::tangent::tangent;
 
 projection! {
     #[doc(alias = "FV3")]
@@ -21,10 +21,10 @@ projection! {
         aspect_ratio: 1.125,
         oversize: 2.000,
         deformation: 31.1,
-        forward: Trigonometric, error [3.4e-16, 1.8e-7], instructions [190, 180];
-        inverse: Trigonometric, error [3.3e-16, 1.8e-7], instructions [93, 68];
+        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [120, 92];
+        inverse: Polynomial, error [2.9e-16, 1.6e-7], instructions [82, 62];
         tiles: smooth(0.97, 1.02),
     }
 }
 
-tangent! { EquiEdge, 0.615_479_708_670_387_3 }
+odd! { EquiEdge, EQUI_EDGE_X, EQUI_EDGE_U }

@@ -6,7 +6,6 @@ mod decay;
 mod odd;
 mod profile;
 mod quad_cube;
-mod tangent;
 mod vector;
 
 pub use catalogue::UnknownProjection;

@@ -20,7 +20,7 @@ projection! {
         aspect_ratio: 2.776,
         oversize: 2.776,
         deformation: 31.1,
-        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [100, 90];
+        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [150, 130];
         inverse: Polynomial, error [2.9e-16, 1.6e-7], instructions [50, 48];
         tiles: smooth(0.94, 2.46),
     }
