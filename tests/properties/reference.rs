@@ -16,6 +16,10 @@ const SEPARABLE: Double = Double {
     high: 0.724013050605694,
     low: 1.762939342182131e-17,
 };
+const LAMBERS: Double = Double {
+    high: 0.8747445087291941,
+    low: 2.724949428716816e-17,
+};
 
 fn third() -> Double {
     of(1.0) / of(3.0)
@@ -178,12 +182,22 @@ pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[
         let root = (of(121.0) / of(64.0) - of(1.5) * x.abs()).sqrt();
         of(2.0) * x / (of(11.0) / of(8.0) + root)
     };
+    let fifth = |x: Double| {
+        let [a, b, c] = [745_558_715_593.0, 130_546_850_193.0, 123_894_434_214.0].map(|c| of(c) / of(1e12));
+        x * (a + x * x * (b + x * x * c))
+    };
+    let unicube = |x: Double| {
+        let sine = (x * PI / of(6.0)).sin_cos().0;
+        sine / (of(0.5) - sine * sine).sqrt()
+    };
     Some(match projection {
         Projection::Tangential => [x, y, of(1.0)],
         Projection::Adjusted => tangents([x, y], PI / of(4.0)),
-        // atan 1/√2 and acos 2^(−5/12)
+        // atan 1/√2, acos 2^(−5/12) and atan 1.1968
         Projection::EquiEdge => tangents([x, y], EQUI_EDGE),
         Projection::Separable => tangents([x, y], SEPARABLE),
+        Projection::Lambers => tangents([x, y], LAMBERS),
+        Projection::ZuckerHigashi => tangents([x, y], of(868_734_829_276.0) / of(1e12)),
         Projection::Outerra => {
             let bulge = (of(2.0).sqrt() - of(1.0)) / of(2.0);
             [x, y, of(1.0) + bulge * (of(1.0) - x * x) * (of(1.0) - y * y)]
@@ -195,10 +209,12 @@ pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[
         Projection::S2Quadratic => [quadratic(x), quadratic(y), of(1.0)],
         Projection::Algebraic => [algebraic(x), algebraic(y), of(1.0)],
         Projection::Everitt => [everitt(x), everitt(y), of(1.0)],
+        Projection::Polynomial5 => [fifth(x), fifth(y), of(1.0)],
+        Projection::Unicube => [unicube(x), unicube(y), of(1.0)],
         Projection::Vertex => vertex([x, y]),
         Projection::Balanced => balanced([x, y]),
         Projection::Square => square([x, y]),
-        // `CobeExact` and `Conformal` have no formula as short.
+        // `CobeExact` and `Conformal` have no formula as short, `Tanh` has a logarithm.
         _ => return None,
     })
 }

@@ -26,8 +26,8 @@ projection! {
         aspect_ratio: 2.000,
         oversize: 2.000,
         deformation: 31.1,
-        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [130, 100];
-        inverse: Polynomial, error [2.9e-16, 1.6e-7], instructions [88, 64];
+        forward: Polynomial, error [1.9e-16, 1e-7], instructions [130, 100];
+        inverse: Polynomial, error [2.7e-16, 1.4e-7], instructions [88, 64];
         tiles: smooth(0.79, 1.37),
     }
 }

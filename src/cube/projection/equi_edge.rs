@@ -21,8 +21,8 @@ projection! {
         aspect_ratio: 1.125,
         oversize: 2.000,
         deformation: 31.1,
-        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [120, 92];
-        inverse: Polynomial, error [2.9e-16, 1.6e-7], instructions [82, 62];
+        forward: Polynomial, error [1.9e-16, 1e-7], instructions [120, 92];
+        inverse: Polynomial, error [2.7e-16, 1.5e-7], instructions [82, 62];
         tiles: smooth(0.97, 1.02),
     }
 }

@@ -16,8 +16,8 @@ projection! {
         aspect_ratio: 2.958,
         oversize: 2.958,
         deformation: 31.1,
-        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [130, 110];
-        inverse: Polynomial, error [2.9e-16, 1.6e-7], instructions [92, 66];
+        forward: Polynomial, error [1.9e-16, 1.1e-7], instructions [130, 110];
+        inverse: Polynomial, error [2.7e-16, 1.4e-7], instructions [92, 66];
         tiles: smooth(1.01, 1.77),
     }
 }

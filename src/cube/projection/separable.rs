@@ -19,8 +19,8 @@ projection! {
         aspect_ratio: 1.587,
         oversize: 1.587,
         deformation: 31.1,
-        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [120, 100];
-        inverse: Polynomial, error [2.9e-16, 1.6e-7], instructions [86, 64];
+        forward: Polynomial, error [1.9e-16, 1e-7], instructions [120, 100];
+        inverse: Polynomial, error [2.7e-16, 1.4e-7], instructions [86, 64];
         tiles: smooth(0.86, 1.15),
     }
 }

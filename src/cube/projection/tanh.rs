@@ -16,8 +16,8 @@ projection! {
         aspect_ratio: 2.606,
         oversize: 2.606,
         deformation: 31.1,
-        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [120, 94];
-        inverse: Polynomial, error [2.9e-16, 1.6e-7], instructions [100, 76];
+        forward: Polynomial, error [1.9e-16, 1.1e-7], instructions [120, 94];
+        inverse: Polynomial, error [2.7e-16, 1.4e-7], instructions [100, 76];
         tiles: smooth(1.14, 1.37),
     }
 }

@@ -18,8 +18,8 @@ projection! {
         aspect_ratio: 3.000,
         oversize: 3.000,
         deformation: 31.1,
-        forward: Polynomial, error [2.9e-16, 1.6e-7], instructions [130, 100];
-        inverse: Polynomial, error [2.9e-16, 1.6e-7], instructions [98, 74];
+        forward: Polynomial, error [1.9e-16, 1.1e-7], instructions [130, 100];
+        inverse: Polynomial, error [2.7e-16, 1.4e-7], instructions [98, 74];
         tiles: smooth(1.13, 1.11),
     }
 }
