@@ -8,12 +8,20 @@ use crate::cube::InvalidFacePoint;
 #[non_exhaustive]
 pub enum Numbering {
     /// Google's S2: faces 0 to 5 outward along X, Y, Z, −X, −Y, −Z.
+    ///
+    /// Face n is tile n + 1 of FV3 (the models of GFDL and GEOS), with the same axes, before FV3 turns its cube 10°
+    /// to the west; and it is face n + 1 of MITgcm's cubed sphere.
+    #[doc(alias("FV3", "GEOS", "GFDL", "MITgcm"))]
     S2,
     /// OpenGL's cube maps: +X, −X, +Y, −Y, +Z, −Z, with s to the right and t downward. OpenGL's axes are the
     /// usual ones of a renderer: its x is the Earth's Y, its y the north pole, its z the Earth's X.
     OpenGl,
     /// FITS WCS (Calabretta & Greisen 2002): 0 north, 1 to 4 around the equator from longitude 0, 5 south.
     Fits,
+    /// The picture of three by two faces of equi-angular cube maps in video, as FFmpeg's `v360=eac` has it: face n
+    /// is at column n mod 3 and row n / 3 from above. Left, front and right stand upright in the first row; below
+    /// them bottom, back and top are turned, so that in a row neighbours share their edge.
+    Eac,
 }
 
 impl Numbering {
@@ -39,6 +47,12 @@ impl Numbering {
             (Self::Fits, Face::Left) => (4, 0),
             (Self::Fits, Face::Top) => (0, 0),
             (Self::Fits, Face::Bottom) => (5, 0),
+            (Self::Eac, Face::Front) => (1, 0),
+            (Self::Eac, Face::Right) => (2, 0),
+            (Self::Eac, Face::Back) => (4, 3),
+            (Self::Eac, Face::Left) => (0, 0),
+            (Self::Eac, Face::Top) => (5, 1),
+            (Self::Eac, Face::Bottom) => (3, 1),
         }
     }
 

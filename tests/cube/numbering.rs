@@ -1,13 +1,15 @@
-//! The numberings of S2, OpenGL and FITS, against their own formulas typed from their own specifications.
+//! The numberings of S2, OpenGL and FITS, against their own formulas typed from their own specifications; those of
+//! climate models and of video by which edges meet.
 
 use terrella::Direction;
 use terrella::cube::{
-    CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Numbering, Tangential,
+    Adjusted, CubeProjection, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Numbering, Tangential,
 };
 
 use crate::sample::{Scalar, coordinates, directions};
 
-const ALL: [Numbering; 3] = [Numbering::S2, Numbering::OpenGl, Numbering::Fits];
+const SPECIFIED: [Numbering; 3] = [Numbering::S2, Numbering::OpenGl, Numbering::Fits];
+const ALL: [Numbering; 4] = [Numbering::S2, Numbering::OpenGl, Numbering::Fits, Numbering::Eac];
 
 /// S2's face_xyz_to_uv (s2coords.h): gnomonic coordinates of a vector on a face.
 fn s2<T: Scalar>(face: u8, [x, y, z]: [T; 3]) -> (T, T) {
@@ -75,7 +77,7 @@ fn centres(numbering: Numbering) -> [[f64; 3]; 6] {
 
 #[test]
 fn numbers_are_those_of_the_axes() {
-    for numbering in ALL {
+    for numbering in SPECIFIED {
         for (number, [x, y, z]) in centres(numbering).into_iter().enumerate() {
             let number = number as u8;
             let face = Face::containing(Direction::new(x, y, z).unwrap());
@@ -95,7 +97,7 @@ fn coordinates_are_theirs<T: Scalar>(numbering: Numbering) {
 
 #[test]
 fn coordinates_are_those_of_the_specifications() {
-    for numbering in ALL {
+    for numbering in SPECIFIED {
         coordinates_are_theirs::<f64>(numbering);
         coordinates_are_theirs::<f32>(numbering);
     }
@@ -179,4 +181,73 @@ fn coordinates_off_the_face_are_refused() {
         refused_off_the_face::<f64>(numbering);
         refused_off_the_face::<f32>(numbering);
     }
+}
+
+/// A place on an edge of a face: 'N', 'S', 'E' or 'W', from −1 at its western or southern end to 1.
+fn on_edge(edge: char, along: f64) -> [f64; 2] {
+    match edge {
+        'N' => [along, 1.0],
+        'S' => [along, -1.0],
+        'E' => [1.0, along],
+        _ => [-1.0, along],
+    }
+}
+
+fn meet(numbering: Numbering, [first, second]: [(u8, char); 2], forward: bool) {
+    for along in [-0.75, -0.25, 0.5] {
+        let direction = |(face, edge): (u8, char), along: f64| {
+            let [x, y] = on_edge(edge, along);
+            Adjusted.unproject(numbering.from_point(face, x, y).unwrap())
+        };
+        let other = if forward { along } else { -along };
+        assert_eq!(
+            direction(first, along),
+            direction(second, other),
+            "{numbering:?} {first:?} {second:?}"
+        );
+    }
+}
+
+/// The twelve contacts of the mosaic that GFDL's models define, by tiles from 1; MITgcm's six domains name the same edges.
+#[test]
+fn s2s_faces_are_the_tiles_of_fv3_and_the_faces_of_mitgcm() {
+    for (first, second, forward) in [
+        ((1, 'E'), (2, 'W'), true),
+        ((1, 'N'), (3, 'W'), false),
+        ((1, 'W'), (5, 'N'), false),
+        ((1, 'S'), (6, 'N'), true),
+        ((2, 'N'), (3, 'S'), true),
+        ((2, 'E'), (4, 'S'), false),
+        ((2, 'S'), (6, 'E'), false),
+        ((3, 'E'), (4, 'W'), true),
+        ((3, 'N'), (5, 'W'), false),
+        ((4, 'N'), (5, 'S'), true),
+        ((4, 'E'), (6, 'S'), false),
+        ((5, 'E'), (6, 'W'), true),
+    ] {
+        meet(
+            Numbering::S2,
+            [first, second].map(|(tile, edge)| (tile - 1, edge)),
+            forward,
+        );
+    }
+}
+
+/// Left, front, right; bottom, back, top: a row is one strip of the sphere, and the first row is upright.
+#[test]
+fn rows_of_the_picture_of_three_by_two_are_strips() {
+    let order = [
+        Face::Left,
+        Face::Front,
+        Face::Right,
+        Face::Bottom,
+        Face::Back,
+        Face::Top,
+    ];
+    assert_eq!(order.map(|face| Numbering::Eac.number(face)), [0, 1, 2, 3, 4, 5]);
+    for west in [0, 1, 3, 4] {
+        meet(Numbering::Eac, [(west, 'E'), (west + 1, 'W')], true);
+    }
+    let point = FacePoint::new(Face::Front, 0.25, 0.5).unwrap();
+    assert_eq!(Numbering::Eac.to_point(point), (1, 0.25, 0.5));
 }

@@ -170,10 +170,11 @@ fn projection() -> impl TypedValueParser<Value = Projection> {
 }
 
 fn numbering() -> impl TypedValueParser<Value = Numbering> {
-    PossibleValuesParser::new(["s2", "opengl", "fits"]).map(|name| match name.as_str() {
+    PossibleValuesParser::new(["s2", "opengl", "fits", "eac"]).map(|name| match name.as_str() {
         "s2" => Numbering::S2,
         "opengl" => Numbering::OpenGl,
-        _ => Numbering::Fits,
+        "fits" => Numbering::Fits,
+        _ => Numbering::Eac,
     })
 }
 

@@ -171,6 +171,7 @@ fn faces<T: Scalar, V: Visitor>(visitor: &mut V) {
         (Numbering::S2, "S2"),
         (Numbering::OpenGl, "OpenGL"),
         (Numbering::Fits, "FITS"),
+        (Numbering::Eac, "EAC"),
     ] {
         visitor.visit::<T, _, _>(Function::of("Numbering", name), Arguments::face_point::<T>, |point| {
             let number = Numbering::number(numbering, point.face());

@@ -141,6 +141,7 @@ fn numbered<T: Scalar, V: Visitor>(visitor: &mut V) {
         (Numbering::S2, "S2"),
         (Numbering::OpenGl, "OpenGL"),
         (Numbering::Fits, "FITS"),
+        (Numbering::Eac, "EAC"),
     ];
     for (numbering, name) in numberings {
         let name = Function::of("Tile::to_numbering", name);
