@@ -179,8 +179,9 @@ pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[
         x / (of(1.0) + square - square * x * x).sqrt()
     };
     let everitt = |x: Double| {
-        let root = (of(121.0) / of(64.0) - of(1.5) * x.abs()).sqrt();
-        of(2.0) * x / (of(11.0) / of(8.0) + root)
+        let e = of(14_511.0) / of(10_000.0);
+        let root = (e * e - of(4.0) * (e - of(1.0)) * x.abs()).sqrt();
+        of(2.0) * x / (e + root)
     };
     let fifth = |x: Double| {
         let [a, b, c] = [745_558_715_593.0, 130_546_850_193.0, 123_894_434_214.0].map(|c| of(c) / of(1e12));

@@ -85,8 +85,8 @@ def algebraic():
 
 
 def everitt():
-    """|x| = e |u| - (e - 1) u^2, e = 11/8; u is the smaller root."""
-    e = mpf(11) / 8
+    """|x| = e |u| - (e - 1) u^2, e = 1.4511; u is the smaller root."""
+    e = mpf("1.4511")
 
     def sign(w):
         return (w > 0) - (w < 0)
@@ -348,7 +348,7 @@ MAPS = {
     "vertex": ("Vertex equal-area cube (slice and dice about the cube's corners)", vertex),
     "cobe": ("COBE quadrilateralized Spherical Cube, published inverse polynomial, decimal coefficients taken exactly",
                        cobe_published),
-    "everitt": ("Everitt's cube, x = u (11 - 3 |u|) / 8", everitt),
+    "everitt": ("Everitt's cube, x = u (e - (e - 1) |u|), e = 1.4511 exactly", everitt),
     "unicube": ("Unicube, u = s / sqrt(1/2 - s^2), s = sin(pi x / 6)", unicube),
     "tanh": ("Lambers' hyperbolic tangent, x = tanh(c u) / tanh(c), c = 0.9721 exactly", hyperbolic),
     "zucker-higashi": ("Zucker & Higashi's tangent, u = tan(theta x) / tan(theta), theta = 0.868734829276 exactly",
