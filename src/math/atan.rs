@@ -15,6 +15,17 @@ pub fn atan<T: Real>(x: T) -> T {
     radians(x, T::ONE)
 }
 
+/// The angle from the x axis to the point (x, y) in radians, for |y| ≤ x and x far from the ends of the scalar's
+/// range, with the error of [`atan2`].
+#[inline(always)]
+pub(crate) fn atan2_eighth<T: Real>(y: T, x: T) -> T {
+    if cfg!(small) {
+        return atan2(y, x);
+    }
+    let (high, small) = Reduced::of(x, y.abs(), T::ONE, T::ONE).base_and_rest();
+    (high + small).copysign(y)
+}
+
 /// Returns the angle from the x axis to the point (x, y) in radians, in [−π, π].
 ///
 /// The error is below 0.85 ulp for finite coordinates of any size. Signs of zero count as for `f64::atan2`:

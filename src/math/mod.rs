@@ -39,7 +39,7 @@ mod tan;
 
 pub(crate) use asin::doubled_arc;
 pub use atan::{atan, atan2, atan2_degrees};
-pub(crate) use atan::{octant, octant_degrees, octant_radians, turned_degrees};
+pub(crate) use atan::{atan2_eighth, octant, octant_degrees, octant_radians, turned_degrees};
 pub use cbrt::cbrt;
 pub(crate) use complex::Complex;
 pub(crate) use double_word::{DoubleWord, hypotenuse, product, product_of_any, sum};

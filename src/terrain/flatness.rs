@@ -34,9 +34,9 @@ impl<P: CubeProjection> Patches<P> {
     /// The bounds are therefore measured at the level itself. The tiles tried are those next to a face's
     /// centre, edges and corners, and at eighths of the way, in a quarter of the front and of the top. The
     /// result is the largest value at 7 × 7 points of each, times 1.25 for the points and tiles between, plus
-    /// 4 ulps of the planet's radius for rounding. This assumes a projection with the symmetries of the
-    /// square, for which these tiles are the worst; all projections of this crate are such
-    /// (`tests/terrain/patch.rs` searches for counterexamples). At levels 0 to 22 the result is at most twice
+    /// 4 ulps of the planet's radius for rounding. This assumes a projection whose
+    /// faces are symmetric about their midlines, and alike around the equator; all projections of this crate
+    /// are such (`tests/terrain/patch.rs` searches for tiles that are worse). At levels 0 to 22 the result is at most twice
     /// the true maximum; at finer levels rounding begins to exceed the displacement.
     ///
     /// A call takes about a millisecond: make it when a map is loaded, not in every frame.
@@ -151,6 +151,10 @@ impl<P: CubeProjection> Patches<P> {
     /// Edges that bend sideways also leave a gap sideways, which a vertical skirt does not hide. With 65
     /// samples on the Earth at level 8 it is up to 7 mm; in the conformal cube 9 cm, and next to the tips of
     /// the quadrilateralized, vertex and HEALPix cubes 0.8 m.
+    ///
+    /// Where the faces of a projection disagree along an edge of the cube
+    /// ([`Faces::agree`](crate::cube::Faces::agree)), the tiles of the two faces share no vertices there, and
+    /// this length does not hold.
     ///
     /// ```
     /// use terrella::cube::{Adjusted, CubeMap};

@@ -3,7 +3,7 @@ use core::fmt;
 use super::bilinear::{blend, mean, weights};
 use super::vector::{along, difference};
 use super::{Base, Tile, Vertices};
-use crate::cube::{Corner, CubeMap, CubeProjection, Edge, FacePoint, ProjectionTask};
+use crate::cube::{Corner, CubeMap, CubeProjection, Edge, FacePoint, Faces, ProjectionTask};
 use crate::latitude::{Turn, normal, with_correction};
 use crate::simd::{CHUNK, Kernel, front, sweep};
 use crate::{Direction, Ecef, Ellipsoid, Real, Shifted};
@@ -72,7 +72,12 @@ impl<P: CubeProjection> Patches<P> {
         let ends = Corner::ALL.map(|corner| {
             let right = matches!(corner, Corner::UpRight | Corner::DownRight);
             let up = matches!(corner, Corner::UpRight | Corner::UpLeft);
-            let [foot, normal] = self.ground(shared(tile, [right.into(), up.into()], 1));
+            let [foot, normal] = self.ground(shared(
+                self.map.projection().faces(),
+                tile,
+                [right.into(), up.into()],
+                1,
+            ));
             [along(foot, heights.next().unwrap_or_default(), normal), normal]
         });
         Patch {
@@ -91,8 +96,8 @@ impl<P: CubeProjection> Patches<P> {
     ///
     /// Before they are rounded to single precision, displacements are within 4 nm (on the Earth) and normals
     /// within 4·10⁻¹⁶. Two tiles of one level that share an edge get identical bits along it, also across
-    /// faces, if their bases have the same heights at both ends of the edge: samples on the edge of a face
-    /// are computed on the face of the smallest number.
+    /// faces that agree there ([`CubeProjection::faces`]), if their bases have the same heights at both ends
+    /// of the edge: samples on the edge of a face are computed on the face of the smallest number.
     ///
     /// # Errors
     /// [`InvalidPatch`] if `samples` is not 2 to 4097, or if a slice does not have `samples`² elements.
@@ -141,7 +146,7 @@ impl<P: CubeProjection> Patches<P> {
                     Edge::Left => [0, along],
                     Edge::Down => [along, 0],
                 };
-                let ground = self.ground(shared(tile, [m, n], last));
+                let ground = self.ground(shared(self.map.projection().faces(), tile, [m, n], last));
                 let sample = lifted.sample(ground, [m.into(), n.into()]);
                 let index = n as usize * samples as usize + m as usize;
                 for (column, value) in columns.iter_mut().zip(sample) {
@@ -205,8 +210,8 @@ pub(super) fn narrow(value: f64) -> f32 {
     value as f32 + 0.0
 }
 
-/// A node of a tile's grid as a point of the face of smallest number that contains it.
-fn shared(tile: Tile, [m, n]: [u32; 2], count: u32) -> FacePoint<f64> {
+/// A node of a tile's grid as a point of the face of smallest number that contains it and agrees.
+fn shared(faces: Faces, tile: Tile, [m, n]: [u32; 2], count: u32) -> FacePoint<f64> {
     let last = tile.last();
     let mut first = (tile, [m, n]);
     for edge in Edge::ALL {
@@ -218,7 +223,7 @@ fn shared(tile: Tile, [m, n]: [u32; 2], count: u32) -> FacePoint<f64> {
             Edge::Down => (tile.j() == 0 && n == 0, [m, count]),
         };
         let beyond = tile.neighbour(edge);
-        if on_edge && beyond.tile.face() < first.0.face() {
+        if on_edge && beyond.tile.face() < first.0.face() && faces.agree(tile.face(), edge) {
             for _ in 0..beyond.turns {
                 place = [count - place[1], place[0]];
             }

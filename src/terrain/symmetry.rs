@@ -11,7 +11,9 @@ use crate::math::select;
 /// a polar face to itself, four a side face. A symmetry exchanges and negates vector components, so
 /// displacements and normals are carried over without rounding: the result has the same bits as that of
 /// [`Patches::fill`](super::Patches::fill). The exception is the conformal cube: it is itself symmetric only
-/// to 2 ulps, and displacements there agree within 6 nm and one ulp.
+/// to 2 ulps, and displacements there agree within 6 nm and one ulp. If x and y of a projection differ on a
+/// polar face ([`Faces::are_square`](crate::cube::Faces::are_square)), use the symmetries of its side faces
+/// only.
 #[doc(alias = "instancing")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -28,7 +30,9 @@ impl Tile {
     /// Returns the representative of this tile, and the symmetry that maps the representative to this tile.
     ///
     /// All tiles that the ellipsoid's symmetries map to each other have the same representative: a tile of
-    /// the front or top face in the quarter where x and y are positive, and on the top face where x ≥ y.
+    /// the front or top face in the quarter where x and y are positive, and on the top face where x ≥ y. The
+    /// patch of a polar face's tile is that of its representative only if x and y are alike there: see
+    /// [`Symmetry`].
     ///
     /// ```
     /// use terrella::cube::Face;

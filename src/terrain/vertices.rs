@@ -12,7 +12,8 @@ use crate::simd::{Kernel, front, sweep};
 /// terrain height in double precision. The rounding error is at most 4·10⁻⁷ of the sum of h and the farthest
 /// corner's distance. That is below 10⁻⁶ of the vertex's own distance if the tile's diagonal is not longer
 /// than that distance. Two tiles that share an edge, a level and the base heights at both ends of the edge
-/// get identical bits along it, also across faces.
+/// get identical bits along it, also across faces that agree there
+/// ([`CubeProjection::faces`](crate::cube::CubeProjection::faces)).
 ///
 /// For a shader: the weights are products of m/c or (c − m)/c with n/c or (c − n)/c, where c = `samples` − 1.
 /// P′ is the sum of two sums, each of two opposite corners. Add o and then h·n to it, in this order. If a

@@ -41,8 +41,13 @@ fn apart<T: Scalar>(a: [T; 3], b: [T; 3]) -> f64 {
     Worst::of((0..3).map(|i| ulps(a[i], b[i])))
 }
 
+/// The edges along which a projection says that faces agree.
+fn agreeing(projection: Projection) -> impl Iterator<Item = (Face, Edge)> {
+    all_edges().filter(move |&(face, edge)| projection.faces().agree(face, edge))
+}
+
 fn inverse_meets<T: Scalar>(projection: Projection) {
-    for (face, edge) in all_edges() {
+    for (face, edge) in agreeing(projection) {
         let neighbour = face.neighbour(edge);
         for s in coordinates::<T>(7, 1000) {
             let here = on_edge(edge, s);
@@ -66,6 +71,29 @@ fn a_point_on_an_edge_is_one_direction_from_both_faces() {
     every_projection(|projection| {
         inverse_meets::<f64>(projection);
         inverse_meets::<f32>(projection);
+    });
+}
+
+/// Along the other edges they do not: a face and its neighbour say the same of it.
+#[test]
+fn faces_part_where_the_projection_says_so() {
+    every_projection(|projection| {
+        let faces = projection.faces();
+        for (face, edge) in all_edges() {
+            let neighbour = face.neighbour(edge);
+            let here = on_edge(edge, 0.5);
+            let there = beyond(here, edge, neighbour.turns);
+            let moved = apart(
+                direction(projection, face, here),
+                direction(projection, neighbour.face, there),
+            );
+            assert_eq!(faces.agree(face, edge), moved < 2.0, "{projection}, {face:?} {edge:?}");
+            assert_eq!(
+                faces.agree(face, edge),
+                faces.agree(neighbour.face, neighbour.edge),
+                "{projection}, {face:?} {edge:?}"
+            );
+        }
     });
 }
 
@@ -137,7 +165,7 @@ fn on_ties<T: Scalar>(face: Face, edge: Edge) -> impl Iterator<Item = Direction<
 
 fn forward_meets<T: Scalar>(projection: Projection) {
     let allowed = seam(projection);
-    for (face, edge) in all_edges() {
+    for (face, edge) in agreeing(projection) {
         let neighbour = face.neighbour(edge);
         let meridian = !face.is_polar() && !neighbour.face.is_polar();
         if projection == Projection::Healpix && !meridian {

@@ -1,8 +1,8 @@
 //! The symmetries of the face, in every bit: a mirrored or swapped input is a mirrored or swapped output.
 //!
-//! Zeros of either sign are equal. The side faces of Healpix have only the mirrors.
+//! Zeros of either sign are equal. Some faces have only the mirrors: the projection says which.
 
-use terrella::cube::{CubeProjection, Face, Projection};
+use terrella::cube::{CubeProjection, Face, Faces, Projection};
 
 use crate::sample::{Scalar, coordinates, directions, every_projection, ulps};
 
@@ -19,7 +19,7 @@ const fn swap(projection: Projection) -> (f64, f64) {
 }
 
 fn swaps(projection: Projection, face: Face) -> bool {
-    projection != Projection::Healpix || face.is_polar()
+    projection.faces().are_square(face)
 }
 
 fn forward<T: Scalar>(projection: Projection) {
@@ -113,7 +113,7 @@ fn midlines_stay_midlines() {
     });
 }
 
-/// Every face is the same map in its own frame; Healpix has one for the sides and one for the poles.
+/// Every face is the same map in its own frame; some projections have one for the sides and one for the poles.
 fn faces_alike<T: Scalar>(projection: Projection) {
     for direction in directions::<T>(32, 5000) {
         let face = projection.face(direction);
@@ -121,7 +121,7 @@ fn faces_alike<T: Scalar>(projection: Projection) {
         let point = projection.forward(face, local);
         let vector = projection.inverse(face, point);
         for other in Face::ALL {
-            if projection == Projection::Healpix && other.is_polar() != face.is_polar() {
+            if projection.faces() == Faces::SideAndPolar && other.is_polar() != face.is_polar() {
                 continue;
             }
             let context = || format!("{projection} {}: {face:?} {other:?} {local:?}", T::NAME);
@@ -136,5 +136,33 @@ fn every_face_is_the_same_map() {
     every_projection(|projection| {
         faces_alike::<f64>(projection);
         faces_alike::<f32>(projection);
+    });
+}
+
+/// How far from alike x and y, or a side face and a polar one, are at a place somewhere.
+fn unlike<T: Scalar>(projection: Projection, swapped: bool, [face, other]: [Face; 2]) -> f64 {
+    let [a, b] = [0.5, 0.25].map(T::of);
+    let [right, up, _] = projection.inverse(face, [a, b]);
+    let found = if swapped {
+        let [up, right, _] = projection.inverse(other, [b, a]);
+        [right, up]
+    } else {
+        let [right, up, _] = projection.inverse(other, [a, b]);
+        [right, up]
+    };
+    ulps(found[0], right) + ulps(found[1], up)
+}
+
+/// A projection claims no symmetry less than there is.
+#[test]
+fn projections_name_all_symmetries() {
+    every_projection(|projection| {
+        let faces = projection.faces();
+        for face in [Face::Front, Face::Top] {
+            let differ = unlike::<f64>(projection, true, [face, face]) > 1e9;
+            assert_eq!(differ, !faces.are_square(face), "{projection}, {face:?}");
+        }
+        let differ = unlike::<f64>(projection, false, [Face::Front, Face::Top]) > 1e9;
+        assert_eq!(differ, faces == Faces::SideAndPolar, "{projection}");
     });
 }

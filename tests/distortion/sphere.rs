@@ -37,5 +37,9 @@ pub fn smooth() -> impl Iterator<Item = Projection> {
         Projection::Vertex,
         Projection::Conformal,
     ];
-    Projection::ALL.iter().copied().filter(move |p| !creased.contains(p))
+    let square = |p: Projection| p.faces().are_square(Face::Top);
+    Projection::ALL
+        .iter()
+        .copied()
+        .filter(move |&p| !creased.contains(&p) && square(p))
 }

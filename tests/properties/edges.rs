@@ -16,6 +16,9 @@ properties! { seam step }
 fn seam<T: Scalar>(bytes: &mut Bytes<'_>) {
     let projection = bytes.projection();
     let (face, edge) = (bytes.face(), bytes.choice(&Edge::ALL));
+    if !projection.faces().agree(face, edge) {
+        return;
+    }
     let along = bytes.within::<T>(1.0);
     let (inside, outside) = (bytes.between(8).abs(), bytes.between(8).abs());
     let neighbour = face.neighbour(edge);
@@ -75,6 +78,9 @@ fn step<T: Scalar>(bytes: &mut Bytes<'_>) {
         let Some((edge, neighbour)) = neighbours.into_iter().find(|(_, n)| n.face == to.face()) else {
             panic!("the other side: {}", context());
         };
+        if !projection.faces().agree(from.face(), edge) {
+            return;
+        }
         beyond(here, edge, neighbour.turns)
     };
     let moved = maximum(ulps(expected[0], to.x()), ulps(expected[1], to.y()));

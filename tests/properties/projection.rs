@@ -1,7 +1,7 @@
 //! A projection of the sphere: where its coordinates and vectors lie, the way there and back, the truth, the cube's symmetries;
 //! and the same on an ellipsoid.
 
-use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Projection};
+use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Faces, Projection};
 use terrella::{Direction, Real, Shift};
 use testkit::maximum;
 use testkit::vector;
@@ -303,13 +303,18 @@ fn swap(projection: Projection) -> [f64; 2] {
 }
 
 /// A direction turned or mirrored by one of the 48 symmetries of the cube goes to the point turned or mirrored by it, in every bit but
-/// what [`swap`] says; Healpix has the 16 that leave the poles poles. On a tie of two faces the points are one direction.
+/// what [`swap`] says. If the polar faces are others, it has the 16 that leave the poles poles; if x and y differ on each face, the 8
+/// mirrors. On a tie of two faces the points are one direction.
 fn symmetries<T: Scalar>(bytes: &mut Bytes<'_>) {
     let projection = bytes.projection();
-    let healpix = projection == Projection::Healpix;
+    let kinds = match projection.faces() {
+        Faces::Alike => 6,
+        Faces::SideAndPolar => 2,
+        _ => 1,
+    };
     let axes = [[0, 1, 2], [1, 0, 2], [0, 2, 1], [2, 1, 0], [1, 2, 0], [2, 0, 1]];
     let symmetry = Symmetry {
-        axes: bytes.choice(&axes[..if healpix { 2 } else { 6 }]),
+        axes: bytes.choice(&axes[..kinds]),
         signs: [bytes.flag(), bytes.flag(), bytes.flag()],
     };
     let direction = bytes.direction::<T>();

@@ -169,6 +169,55 @@ fn square([x, y]: Plane) -> Vector {
     ]
 }
 
+/// The arc tangent of a number in [−1, 1]: that of `f64`, and what it lost.
+fn atan(t: Double) -> Double {
+    let near = of(t.high.atan());
+    let tangent = near.tan();
+    near + (t - tangent) / (of(1.0) + t * tangent)
+}
+
+/// Grimm & Niebruegge's, from angles along great circles.
+fn continuous([x, y]: Plane) -> Vector {
+    let root = of(2.0).sqrt();
+    let u = root * (x * atan(of(1.0) / root)).tan();
+    let secant = (of(1.0) + u * u).sqrt();
+    [u, (y * atan(of(1.0) / secant)).tan() * secant, of(1.0)]
+}
+
+/// Arvo's, with cos(πx/3) by its half angle.
+fn arvo([x, y]: Plane) -> Vector {
+    let t = (x * PI / of(6.0)).tan();
+    let cosine = (of(1.0) - t * t) / (of(1.0) + t * t);
+    [
+        of(2.0).sqrt() * t / (of(1.0) - t * t).sqrt(),
+        y / (of(1.0) + (of(1.0) - y * y) * cosine).sqrt(),
+        of(1.0),
+    ]
+}
+
+/// 360Lib's HEC.
+fn hybrid_equi_angular([x, y]: Plane, polar: bool) -> Vector {
+    let along = |w: Double| (w * PI / of(4.0)).tan();
+    let bulge = of(2.0) / of(5.0) * (of(1.0) - x * x) * (of(1.0) - y * y);
+    let v = if polar { along(y) } else { y / (of(1.0) + bulge) };
+    [along(x), v, of(1.0)]
+}
+
+/// Zucker & Higashi's, with 10¹³ times its coefficients.
+fn cobe_refit([x, y]: Plane) -> Vector {
+    let [alpha, a, b, c, d, e] = [
+        7_239_512_349_520.0, -941_180_085_824.0, 409_125_981_187.0, -623_272_690_881.0, 275_922_480_902.0,
+        342_217_026_979.0,
+    ]
+    .map(|numerator| of(numerator) / of(1e13));
+    let half = |x: Double, y: Double| {
+        let (xx, yy) = (x * x, y * y);
+        let sum = (a + b * yy + c * xx) * xx + (d + e * yy) * yy;
+        x * (alpha + (of(1.0) - alpha) * xx + (of(1.0) - xx) * sum)
+    };
+    [half(x, y), half(y, x), of(1.0)]
+}
+
 /// The direction of a point, in the face's frame (right, up, outward), of any length; none for a projection without a closed formula
 /// back, or that is newer than this file: it is judged in `f32` alone, next to `f64`, and by the truth.
 pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[Double; 3]> {
@@ -215,6 +264,10 @@ pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[
         Projection::Vertex => vertex([x, y]),
         Projection::Balanced => balanced([x, y]),
         Projection::Square => square([x, y]),
+        Projection::Continuous => continuous([x, y]),
+        Projection::Arvo => arvo([x, y]),
+        Projection::HybridEquiAngular => hybrid_equi_angular([x, y], polar),
+        Projection::CobeRefit => cobe_refit([x, y]),
         // `CobeExact` and `Conformal` have no formula as short, `Tanh` has a logarithm.
         _ => return None,
     })

@@ -1,7 +1,7 @@
 //! Patches: vertices in single precision against the truth, the flatness of tiles, and their symmetries.
 
 use fastrand::Rng;
-use terrella::cube::{CubeMap, Face, Projection};
+use terrella::cube::{CubeMap, CubeProjection, Face, Projection};
 use terrella::terrain::{Base, Flatness, Heights, InvalidBase, InvalidPatch, Patches, Tile};
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
 use testkit::{maximum, minimum, parallel};
@@ -275,6 +275,10 @@ fn representatives_say_all() {
                     0..6 => Tile::root(Face::ALL[round]),
                     _ => sample::tile(&mut rng),
                 };
+                // There the Earth's symmetries are not the projection's.
+                if tile.face().is_polar() && !projection.faces().are_square(tile.face()) {
+                    continue;
+                }
                 let samples = rng.u32(2..10);
                 let (representative, symmetry) = tile.representative();
                 let (own, known) = (fill(&patches, tile, samples), fill(&patches, representative, samples));

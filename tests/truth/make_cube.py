@@ -137,6 +137,71 @@ def polynomial_5():
     return newton_forward(inverse), inverse
 
 
+def continuous():
+    """u = sqrt(2) tan(x atan(1/sqrt 2)), v = tan(y asin(1/sqrt(2 + u^2))) sqrt(1 + u^2)."""
+    c = mp.atan(1 / mp.sqrt(2))
+
+    def forward(X, Y, Z):
+        u, v = X / Z, Y / Z
+        return mp.atan(u / mp.sqrt(2)) / c, mp.atan(v / mp.sqrt(1 + u * u)) / mp.asin(1 / mp.sqrt(2 + u * u))
+
+    def inverse(x, y):
+        u = mp.sqrt(2) * mp.tan(x * c)
+        return u, mp.tan(y * mp.asin(1 / mp.sqrt(2 + u * u))) * mp.sqrt(1 + u * u), ONE
+
+    return forward, inverse
+
+
+def arvo():
+    """u = sqrt(2) t / sqrt(1 - t^2), t = tan(pi x / 6); v = y / sqrt(1 + (1 - y^2) cos(pi x / 3))."""
+
+    def forward(X, Y, Z):
+        u, v = X / Z, Y / Z
+        return 6 / mp.pi * mp.atan(u / mp.sqrt(2 + u * u)), v * mp.sqrt((2 + u * u) / (1 + u * u + v * v))
+
+    def inverse(x, y):
+        t = mp.tan(mp.pi * x / 6)
+        return mp.sqrt(2) * t / mp.sqrt(1 - t * t), y / mp.sqrt(1 + (1 - y * y) * mp.cos(mp.pi * x / 3)), ONE
+
+    return forward, inverse
+
+
+def hybrid_equi_angular(polar):
+    """u = tan(pi x / 4); on a side face v = y / (1 + 0.4 (1 - x^2)(1 - y^2)), on a polar one v = tan(pi y / 4)."""
+
+    def forward(X, Y, Z):
+        u, v = X / Z, Y / Z
+        x = 4 / mp.pi * mp.atan(u)
+        if polar:
+            return x, 4 / mp.pi * mp.atan(v)
+        # a y^2 + y - (v + a) = 0, times 1/v: the root next to v.
+        a = mpf(2) / 5 * (1 - x * x) * v
+        return x, 2 * (v + a) / (1 + mp.sqrt(1 + 4 * a * (v + a)))
+
+    def inverse(x, y):
+        if polar:
+            return mp.tan(mp.pi * x / 4), mp.tan(mp.pi * y / 4), ONE
+        return mp.tan(mp.pi * x / 4), y / (1 + mpf(2) / 5 * (1 - x * x) * (1 - y * y)), ONE
+
+    return forward, inverse
+
+
+def cobe_refit():
+    """Zucker & Higashi's polynomial to the sphere; forward by Newton iteration."""
+    alpha, a, b, c, d, e = (mpf(w) for w in (
+        "0.723951234952", "-0.0941180085824", "0.0409125981187", "-0.0623272690881", "0.0275922480902",
+        "0.0342217026979"))
+
+    def half(x, y):
+        x2, y2 = x * x, y * y
+        return x * (alpha + (1 - alpha) * x2 + (1 - x2) * ((a + b * y2 + c * x2) * x2 + (d + e * y2) * y2))
+
+    def inverse(x, y):
+        return half(x, y), half(y, x), ONE
+
+    return newton_forward(inverse), inverse
+
+
 def newton_forward(inverse):
     """Forward of a map given by its inverse: Newton on the gnomonic coordinates, Jacobian by differences."""
     h = mpf(10) ** -55
@@ -357,9 +422,31 @@ MAPS = {
                 lambda: tangent_family(mp.atan(mpf("1.1968")))),
     "polynomial-5": ("Zucker & Higashi's polynomial of degree 5, decimal coefficients taken exactly; forward by Newton "
                      "iteration", polynomial_5),
+    "continuous": ("Continuous cube (Grimm & Niebruegge), u = sqrt(2) tan(x atan(1/sqrt 2)), v = tan(y asin(1/sqrt(2 + u^2))) "
+                   "sqrt(1 + u^2)", continuous),
+    "arvo": ("Arvo's equal-area cube, u = sqrt(2) t / sqrt(1 - t^2), t = tan(pi x / 6); v = y / sqrt(1 + (1 - y^2) cos(pi x / 3))",
+             arvo),
+    "hybrid-equi-angular": ("Hybrid equi-angular cube, u = tan(pi x / 4); sides v = y / (1 + 0.4 (1 - x^2)(1 - y^2)), "
+                            "top and bottom v = tan(pi y / 4)", hybrid_equi_angular),
+    "cobe-refit": ("Zucker & Higashi's refit of COBE's cube, decimal coefficients taken exactly; forward by Newton iteration",
+                   cobe_refit),
     "conformal": ("Conformal cube (Rancic, Purser & Mesinger), series of 320 terms about the nearest corner; "
                   "inverse by Newton iteration", conformal),
 }
+
+
+# Maps that are another on the top and the bottom: made with whether a face is one of them.
+BY_FACE = {"hybrid-equi-angular"}
+POLAR = (4, 5)
+
+
+def kinds(name):
+    """For each face its forward and inverse."""
+    make = MAPS[name][1]
+    if name not in BY_FACE:
+        return [make()] * 6
+    side, polar = make(False), make(True)
+    return [polar if face in POLAR else side for face in range(6)]
 
 
 # ---- inputs ------------------------------------------------------------------------------------
@@ -502,12 +589,13 @@ def write(name, kind, title, what, closure, columns, rows):
     print(f"{os.path.basename(path)}: {len(rows)} rows; {closure}", flush=True)
 
 
-def make_forward(name, title, forward, inverse):
+def make_forward(name, title, maps):
     rng = random.Random(f"{SEED} {name} forward")
     rows, worst = [], mpf(0)
     for v, cls in forward_inputs(rng):
         exact = tuple(mpf(c) for c in v)
         face = face_of(exact)
+        forward, inverse = maps[face]
         x, y = forward(*to_local(face, exact))
         assert max(abs(x), abs(y)) <= 1 + TINY
         back = from_local(face, unit(inverse(x, y)))
@@ -518,11 +606,12 @@ def make_forward(name, title, forward, inverse):
           f"inverse(forward) closes to {mp.nstr(worst, 2)}.", ["vx", "vy", "vz", "face", "x", "y", "class"], rows)
 
 
-def make_inverse(name, title, forward, inverse, exact_pair=True):
+def make_inverse(name, title, maps, exact_pair=True):
     rng = random.Random(f"{SEED} {name} inverse")
     rows, worst = [], mpf(0)
     for face, xf, yf, cls in inverse_inputs(rng):
         x, y = mpf(xf), mpf(yf)
+        forward, inverse = maps[face]
         local = unit(inverse(x, y))
         v = from_local(face, local)
         if max(abs(x), abs(y)) < 1:
@@ -616,18 +705,32 @@ def check_cobe(forward, inverse):
     assert mpf("2.5e-4") < worst < mpf("3.1e-4")
 
 
-CHECKS = {"vertex": check_vertex, "conformal": check_conformal, "cobe": check_cobe}
+def check_continuous(forward, inverse):
+    """All edges are the same: so faces agree, whichever way x and y are."""
+    for t in (-0.9, 0.25, 0.5, 1):
+        near(inverse(ONE, mpf(t))[1], inverse(mpf(t), ONE)[0], TINY, "edge")
+
+
+def check_arvo(forward, inverse):
+    """Equal area; edges x = 1 and y = 1 differ."""
+    for x, y in POINTS:
+        a, b = tangents(inverse, x, y)
+        near(dot(cross(a, b), unit(inverse(x, y))), mp.pi / 6, 1e-60, "area")
+    near(inverse(ONE / 2, ONE)[0], mpf("0.3933"), 1e-4, "edge y = 1")
+    near(inverse(ONE, ONE / 2)[1], mpf("0.4264"), 1e-4, "edge x = 1")
+
+
+CHECKS = {"continuous": check_continuous, "arvo": check_arvo, "vertex": check_vertex, "conformal": check_conformal, "cobe": check_cobe}
 
 
 def main():
     for name in sys.argv[1:] or MAPS:
-        title, make = MAPS[name]
-        forward, inverse = make()
+        title, maps = MAPS[name][0], kinds(name)
         if name in CHECKS:
-            CHECKS[name](forward, inverse)
+            CHECKS[name](*maps[0])
         if name != "cobe":
-            make_forward(name, title, forward, inverse)
-        make_inverse(name, title, forward, inverse, exact_pair=name != "cobe")
+            make_forward(name, title, maps)
+        make_inverse(name, title, maps, exact_pair=name != "cobe")
 
 
 if __name__ == "__main__":

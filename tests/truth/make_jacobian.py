@@ -99,7 +99,8 @@ MAPS = [
     ("healpix", 4, healpix_cap),
     ("s2-quadratic", 0, s2_quadratic),
 ]
-MAPS += [(name, 0, inverse_of(name)) for name in cube.MAPS if name != "cobe"]
+MAPS += [(name, face, cube.kinds(name)[face][1]) for name in cube.MAPS if name != "cobe"
+         for face in ((0, 4) if name in cube.BY_FACE else (0,))]
 
 
 def inputs(rng):

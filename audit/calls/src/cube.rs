@@ -1,7 +1,7 @@
 use core::marker::PhantomData;
 
 use terrella::cube::{
-    Corner, CubeMap, CubeProjection, Edge, Face, FacePoint, Numbering, Projection, ProjectionTask, QuadCube,
+    Corner, CubeMap, CubeProjection, Edge, Face, FacePoint, Faces, Numbering, Projection, ProjectionTask, QuadCube,
 };
 use terrella::{Dual, Ellipsoid, Real, Shift};
 
@@ -156,6 +156,28 @@ fn faces<T: Scalar, V: Visitor>(visitor: &mut V) {
                 Corner::edges(corner),
                 Face::from_index(index * 2),
             )
+        },
+    );
+    visitor.function::<T, _, _>(
+        "Faces::agree",
+        |arguments| {
+            (
+                arguments.below(4) as usize,
+                arguments.face(),
+                arguments.below(4) as usize,
+            )
+        },
+        |(which, face, edge)| {
+            let projections = [
+                Projection::Square,
+                Projection::Healpix,
+                Projection::Continuous,
+                Projection::Arvo,
+            ];
+            let projection = projections.get(which).copied().unwrap_or(Projection::Arvo);
+            let edge = Edge::ALL.get(edge).copied().unwrap_or(Edge::Up);
+            let faces = CubeProjection::faces(&projection);
+            (Faces::agree(faces, face, edge), Faces::are_square(faces, face))
         },
     );
     visitor.function::<T, _, _>(

@@ -16,11 +16,11 @@ projection! {
         origin: "The cubed sphere of Ronchi, Iacono & Paolucci (1996), for models of the atmosphere; \
             Google’s EAC for panoramic video; the option \"tan\" of S2; Dimitrijević, Lambers & Rančić \
             (2016), §4.2.",
-        choose: "Take it for agreement with equi-angular cube maps. No published projection here has less \
-            texture oversize (2.000), but [`Balanced`](super::Balanced) has 1.405 and costs less on the way \
-            to the sphere. [`Algebraic`](super::Algebraic) costs less (79 instructions to the cube instead of \
-            130), and its areas vary less (1.268 to 1 instead of 1.414 to 1), but its texture oversize is \
-            2.712.",
+        choose: "Take it for agreement with equi-angular cube maps. Of the published projections here \
+            [`Continuous`](super::Continuous) alone has less texture oversize (1.805 instead of 2.000); \
+            [`Balanced`](super::Balanced) has 1.405 and costs less on the way to the sphere. \
+            [`Algebraic`](super::Algebraic) costs less (79 instructions to the cube instead of 130), and its \
+            areas vary less (1.268 to 1 instead of 1.414 to 1), but its texture oversize is 2.712.",
         keeps: None,
         area_ratio: 1.414,
         aspect_ratio: 2.000,

@@ -83,6 +83,12 @@ macro_rules! projections {
                 }
             }
 
+            fn faces(&self) -> Faces {
+                match self {
+                    $(Self::$variant => $module::$variant.faces(),)*
+                }
+            }
+
             fn is_polar<T: Real>(&self, direction: Direction<T>) -> bool {
                 match self {
                     $(Self::$variant => $module::$variant.is_polar(direction),)*

@@ -12,9 +12,10 @@ projection! {
             polynomial, so that a point that is projected and unprojected comes back to its place.",
         origin: "COBE’s published polynomial.",
         choose: "Take it for COBE’s cells where a round trip must be exact; [`Cobe`](super::Cobe) has the \
-            published polynomial to the sphere. For nearly equal areas at less cost take \
-            [`Algebraic`](super::Algebraic) (areas vary 1.268 to 1 instead of 1.230 to 1; 50 instructions to \
-            the sphere instead of 720).",
+            published polynomial to the sphere. [`CobeRefit`](super::CobeRefit) has areas that vary less \
+            (1.023 to 1 instead of 1.230 to 1). For nearly equal areas at less cost take \
+            [`Algebraic`](super::Algebraic) (areas vary 1.268 to 1; 50 instructions to the sphere instead of \
+            720).",
         keeps: None,
         area_ratio: 1.230,
         aspect_ratio: 2.383,

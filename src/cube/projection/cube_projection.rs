@@ -1,6 +1,6 @@
 //! The trait of all projections.
 
-use super::on_face;
+use super::{Faces, on_face};
 use crate::cube::{Face, FacePoint};
 use crate::math::sin_cos_degrees;
 use crate::{Direction, Real};
@@ -42,6 +42,14 @@ pub trait CubeProjection: Copy {
     /// Returns the unit vector in the face's frame (right, up, outward), from (x, y) in [−1, 1]².
     #[must_use]
     fn inverse<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3];
+
+    /// Returns which symmetries the faces have, and whether they agree along the edges of the cube. The
+    /// default is that all are alike, with the symmetries of the square.
+    #[must_use]
+    #[inline(always)]
+    fn faces(&self) -> Faces {
+        Faces::Alike
+    }
 
     /// Returns whether a direction lies on the top or the bottom face. The default is the cube's own faces:
     /// where |z| is the largest component.

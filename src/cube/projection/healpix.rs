@@ -1,6 +1,6 @@
 use super::decay::creased;
 use super::profile::{Kept, projection};
-use super::{CubeProjection, Face, on_face};
+use super::{CubeProjection, Face, Faces, on_face};
 use crate::math::{ADJUSTED_U, ADJUSTED_X, either, odd_unit, select};
 use crate::{Direction, Real};
 
@@ -42,6 +42,11 @@ fn is_cap<T: Real>(sin: T) -> bool {
 
 impl CubeProjection for Healpix {
     const TAKES_PLACES: bool = true;
+
+    #[inline(always)]
+    fn faces(&self) -> Faces {
+        Faces::SideAndPolar
+    }
 
     #[inline(always)]
     fn is_polar<T: Real>(&self, direction: Direction<T>) -> bool {

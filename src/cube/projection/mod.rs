@@ -3,6 +3,7 @@
 mod catalogue;
 mod cube_projection;
 mod decay;
+mod faces;
 mod odd;
 mod profile;
 mod quad_cube;
@@ -12,10 +13,11 @@ pub use catalogue::UnknownProjection;
 use catalogue::projections;
 pub use cube_projection::{CubeProjection, ProjectionTask};
 pub(crate) use decay::Decay;
+pub use faces::Faces;
 pub use profile::{Evaluation, Formula, Kept, Profile};
 pub use quad_cube::QuadCube;
 pub(crate) use vector::on_face;
-use vector::{from_gnomonic, normalise};
+use vector::{at_edge, from_gnomonic, normalise};
 
 use super::Face;
 use crate::{Direction, Real};
@@ -43,4 +45,8 @@ projections! {
     polynomial_5::Polynomial5,
     tanh::Tanh,
     unicube::Unicube,
+    continuous::Continuous,
+    arvo::Arvo,
+    hybrid_equi_angular::HybridEquiAngular,
+    cobe_refit::CobeRefit,
 }

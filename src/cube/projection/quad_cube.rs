@@ -57,9 +57,33 @@ impl QuadCube {
             two * u * v * (p * g_y),
         ]
     }
-}
 
-impl QuadCube {
+    /// The forward polynomials F(u, v) and F(v, u).
+    #[inline(always)]
+    pub(super) fn apply<T: Real>(self, [u, v]: [T; 2]) -> [T; 2] {
+        let [x, _, _] = self.value_and_slopes(u, v);
+        let [y, _, _] = self.value_and_slopes(v, u);
+        [x, y]
+    }
+
+    /// Where the forward polynomials are (x, y), by steps of Newton's method: so many in `f64` and in `f32`.
+    #[inline(always)]
+    pub(super) fn solve<T: Real>(self, [x, y]: [T; 2], start: [T::Plain; 2], [double, single]: [usize; 2]) -> [T; 2] {
+        // The derivatives, if any are asked for, come from steps at the root alone.
+        let (px, py) = (x.plain(), y.plain());
+        let [mut u, mut v] = start;
+        repeat!(T::Plain::steps(double, single), {
+            [u, v] = self.newton([u, v], [px, py]);
+        });
+        let (mut u, mut v) = (T::from_plain(u), T::from_plain(v));
+        // A loop, which a plain number never enters: written out, the steps that are not taken would be half
+        // of what a compiler has to read.
+        for _ in 0..T::steps(0, 0) {
+            [u, v] = self.newton([u, v], [x, y]);
+        }
+        [u.signed_like(x), v.signed_like(y)]
+    }
+
     /// (u, v) one step nearer to where the forward polynomial is (x, y).
     #[inline(always)]
     fn newton<T: Real>(self, [u, v]: [T; 2], [x, y]: [T; 2]) -> [T; 2] {
@@ -77,26 +101,11 @@ impl QuadCube {
 impl CubeProjection for QuadCube {
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
-        let (u, v) = (right / outward, up / outward);
-        let [x, _, _] = self.value_and_slopes(u, v);
-        let [y, _, _] = self.value_and_slopes(v, u);
-        [x, y]
+        self.apply([right / outward, up / outward])
     }
 
     #[inline(always)]
-    fn inverse<T: Real>(&self, _: Face, [x, y]: [T; 2]) -> [T; 3] {
-        // The derivatives, if any are asked for, come from steps at the root alone.
-        let (px, py) = (x.plain(), y.plain());
-        let (mut u, mut v) = (px, py);
-        repeat!(T::Plain::steps(6, 5), {
-            [u, v] = self.newton([u, v], [px, py]);
-        });
-        let (mut u, mut v) = (T::from_plain(u), T::from_plain(v));
-        // A loop, which a plain number never enters: written out, the steps that are not taken would be half
-        // of what a compiler has to read.
-        for _ in 0..T::steps(0, 0) {
-            [u, v] = self.newton([u, v], [x, y]);
-        }
-        from_gnomonic([u.signed_like(x), v.signed_like(y)])
+    fn inverse<T: Real>(&self, _: Face, point: [T; 2]) -> [T; 3] {
+        from_gnomonic(self.solve(point, point.map(T::plain), [6, 5]))
     }
 }

@@ -1,12 +1,22 @@
 //! What several projections share.
 
 use crate::Real;
-use crate::math::{max, min, select};
+use crate::math::{either, max, min, select};
 
 /// Coordinates that rounding has not led off the face.
 #[inline(always)]
 pub(crate) fn on_face<T: Real>(coordinates: [T; 2]) -> [T; 2] {
     coordinates.map(|v| max(min(v, T::ONE), -T::ONE))
+}
+
+/// A coordinate of a component of a vector: to the last bit ±1 where that is the outward one, with the derivatives of
+/// the formula. −0 stays, which tells longitude −180 from 180.
+#[inline(always)]
+pub(super) fn at_edge<T: Real>(x: T, component: T, outward: T) -> T {
+    x - either(
+        component.abs() == outward,
+        x - (T::ONE.copysign(component) + x.vanish()),
+    )
 }
 
 /// The unit vector of gnomonic coordinates (u, v).
