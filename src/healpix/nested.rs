@@ -1,10 +1,12 @@
 use core::fmt;
 
-use super::plane::{Facet, belt, cap, middle};
-use crate::math::{atan2_degrees, either, gathered, select, spread};
+use super::plane::{Facet, Spot, belt, cap, middle};
+use crate::math::{either, gathered, select, spread};
 use crate::{LatLon, Real};
 
 /// A pixel of standard HEALPix, identified by its depth and its number in the nested scheme.
+///
+/// [`ring_number`](Self::ring_number) and [`from_ring`](Self::from_ring) convert to the ring scheme and back.
 ///
 /// At depth k (`order` in other libraries) a base pixel has `nside` × `nside` pixels, with `nside` = 2ᵏ. The
 /// first four bits of a number are the base pixel: 0 to 3 about the north pole, eastward from longitude 0; 4
@@ -72,10 +74,15 @@ impl Pixel {
     #[doc(alias = "ang2pix_nest")]
     #[inline]
     pub fn containing<T: Real>(place: LatLon<T>, depth: u8) -> Result<Self, InvalidPixel> {
+        Self::of(Facet::of_place(place), depth)
+    }
+
+    /// The pixel of a depth that contains a place.
+    #[inline(always)]
+    pub(super) fn of<T: Real>(facet: Facet<T>, depth: u8) -> Result<Self, InvalidPixel> {
         if depth > Self::MAX_DEPTH {
             return Err(InvalidPixel::Depth(depth));
         }
-        let facet = Facet::of(place);
         let Facet {
             quarter,
             turn,
@@ -108,10 +115,10 @@ impl Pixel {
 
     /// Creates the pixel of a base pixel, column and row that are known to be in range.
     #[inline(always)]
-    fn within(depth: u8, base: u8, [x, y]: [u32; 2]) -> Self {
+    pub(super) const fn within(depth: u8, base: u8, [x, y]: [u32; 2]) -> Self {
         Self {
             depth,
-            number: u64::from(base) << (2 * depth) | spread(x) | spread(y) << 1,
+            number: (base as u64) << (2 * depth) | spread(x) | spread(y) << 1,
         }
     }
 
@@ -129,13 +136,67 @@ impl Pixel {
         self.number
     }
 
+    /// Returns the number of the base pixel, 0 to 11.
+    #[must_use]
+    #[inline(always)]
+    pub const fn base(self) -> u8 {
+        (self.number >> (2 * self.depth)) as u8
+    }
+
+    /// The largest column and row of this depth.
+    #[inline(always)]
+    pub(super) const fn last(self) -> u32 {
+        (1 << self.depth) - 1
+    }
+
+    /// Column and row in the base pixel, from its southern corner.
+    #[inline(always)]
+    pub(super) const fn square(self) -> [u32; 2] {
+        let last = self.last();
+        [gathered(self.number) & last, gathered(self.number >> 1) & last]
+    }
+
     /// Returns the centre of the pixel: latitude and longitude on the sphere.
     #[doc(alias = "pix2ang_nest")]
     #[must_use]
     #[inline]
     pub fn centre<T: Real>(self) -> LatLon<T> {
+        self.middle().on_sphere()
+    }
+
+    /// Returns the corners of the pixel: south, east, north, west, which is counter-clockwise.
+    ///
+    /// Their errors are those of [`place`](Self::place). The longitude of a pole is that of the middle of the
+    /// base pixel.
+    ///
+    /// ```
+    /// use terrella::healpix::Pixel;
+    /// let [south, east, north, west] = Pixel::new(0, 4)?.corners::<f64>();
+    /// assert_eq!((south.lon(), north.lon()), (0.0, 0.0));
+    /// assert_eq!((east.lat(), east.lon(), west.lon()), (0.0, 45.0, -45.0));
+    /// assert!((north.lat() - (2.0_f64 / 3.0).asin().to_degrees()).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias = "boundaries")]
+    #[doc(alias = "vertices")]
+    #[must_use]
+    #[inline]
+    pub fn corners<T: Real>(self) -> [LatLon<T>; 4] {
+        self.tips().map(Spot::on_sphere)
+    }
+
+    /// The centre.
+    #[inline(always)]
+    pub(super) fn middle<T: Real>(self) -> Spot<T> {
         let half = T::of(0.5);
         self.at([half, half])
+    }
+
+    /// The corners: south, east, north, west.
+    #[inline(always)]
+    pub(super) fn tips<T: Real>(self) -> [Spot<T>; 4] {
+        let (zero, one) = (T::ZERO, T::ONE);
+        [[zero, zero], [one, zero], [one, one], [zero, one]].map(|inside| self.at(inside))
     }
 
     /// Returns the place at (dx, dy) ∈ [0, 1]² in the pixel. dx increases from the southern corner to the
@@ -155,7 +216,13 @@ impl Pixel {
     /// # Errors
     /// [`InvalidPixelPlace`] if dx or dy is outside [0, 1] or NaN.
     #[inline]
-    pub fn place<T: Real>(self, [dx, dy]: [T; 2]) -> Result<LatLon<T>, InvalidPixelPlace<T>> {
+    pub fn place<T: Real>(self, inside: [T; 2]) -> Result<LatLon<T>, InvalidPixelPlace<T>> {
+        Ok(self.spot(inside)?.on_sphere())
+    }
+
+    /// The place at (dx, dy), if both are in [0, 1].
+    #[inline(always)]
+    pub(super) fn spot<T: Real>(self, [dx, dy]: [T; 2]) -> Result<Spot<T>, InvalidPixelPlace<T>> {
         let inside = |d: T| (d >= T::ZERO) & (d <= T::ONE);
         if !(inside(dx) & inside(dy)) {
             return Err(InvalidPixelPlace { dx, dy });
@@ -165,10 +232,8 @@ impl Pixel {
 
     /// The same for a place that is known to be in the pixel.
     #[inline(always)]
-    fn at<T: Real>(self, [dx, dy]: [T; 2]) -> LatLon<T> {
-        let base = (self.number >> (2 * self.depth)) as u8;
-        let last = (1_u32 << self.depth) - 1;
-        let (x, y) = (gathered(self.number) & last, gathered(self.number >> 1) & last);
+    fn at<T: Real>(self, [dx, dy]: [T; 2]) -> Spot<T> {
+        let (base, last, [x, y]) = (self.base(), self.last(), self.square());
         let (zero, one) = (T::ZERO, T::ONE);
         let whole = |number: u32| T::whole(number.into());
         // The distances from the southern corner, from the northern corner, and eastward from the line
@@ -193,7 +258,10 @@ impl Pixel {
         let back = (column > 2) | ((column == 2) & (east > zero));
         let equatorial = equatorial - either(back, T::of(360.0));
         let lon = select(row == 1, equatorial, middle(column)) + T::of(45.0) * share;
-        LatLon::within(atan2_degrees(sin.copysign(height), cos), lon)
+        Spot {
+            latitude: (sin.copysign(height), cos),
+            lon,
+        }
     }
 }
 

@@ -18,12 +18,18 @@ pub(super) struct Facet<T> {
 }
 
 impl<T: Real> Facet<T> {
-    /// Creates it for a place. A place on a meridian between two quarters belongs to the eastern one.
+    /// Creates it for a place on the sphere.
     #[inline(always)]
-    pub(super) fn of(place: LatLon<T>) -> Self {
-        let (sin, cos) = sin_cos_degrees(place.lat());
+    pub(super) fn of_place(place: LatLon<T>) -> Self {
+        Self::of(sin_cos_degrees(place.lat()), place.lon())
+    }
+
+    /// Creates it from sine and cosine of the latitude on the sphere, and the longitude in degrees from −180
+    /// to 180. A place on a meridian between two quarters belongs to the eastern one.
+    #[inline(always)]
+    pub(super) fn of((sin, cos): (T, T), lon: T) -> Self {
         let (right_angle, half_circle) = (T::of(90.0), T::of(180.0));
-        let lon = select(place.lon() < half_circle, place.lon(), -half_circle);
+        let lon = select(lon < half_circle, lon, -half_circle);
         let east = select(lon < right_angle, 0, 1);
         let west = select(lon < -right_angle, 2, 3);
         let quarter = select(lon < T::ZERO, west, east);
@@ -40,6 +46,23 @@ impl<T: Real> Facet<T> {
     #[inline(always)]
     pub(super) fn is_cap(self) -> bool {
         self.height.abs() > T::ONE
+    }
+}
+
+/// A place on the sphere, before its latitude is an angle.
+#[derive(Clone, Copy)]
+pub(super) struct Spot<T> {
+    /// The sine and the cosine of the latitude, which may have a common factor near 1.
+    pub latitude: (T, T),
+    /// The longitude in degrees, from −180 to 180.
+    pub lon: T,
+}
+
+impl<T: Real> Spot<T> {
+    #[inline(always)]
+    pub(super) fn on_sphere(self) -> LatLon<T> {
+        let (sin, cos) = self.latitude;
+        LatLon::within(atan2_degrees(sin, cos), self.lon)
     }
 }
 
@@ -87,11 +110,16 @@ pub(super) fn belt<T: Real>(height: T) -> (T, T) {
 #[must_use]
 #[inline]
 pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
-    let facet = Facet::of(place);
+    point(Facet::of_place(place), place.lon())
+}
+
+/// The point of the plane of a place with this longitude.
+#[inline(always)]
+pub(super) fn point<T: Real>(facet: Facet<T>, lon: T) -> [T; 2] {
     let (two, eight) = (T::of(2.0), T::of(8.0));
     let tip = two * T::from_byte(facet.quarter) + T::ONE;
     let across = tip + two * facet.turn * facet.outward;
-    let along = place.lon() / T::of(45.0);
+    let along = lon / T::of(45.0);
     let along = along + either(along < T::ZERO, eight);
     // A longitude just west of 0 rounds to x = 8, which is the same place as 0.
     let along = either(along < eight, along);
@@ -117,7 +145,13 @@ pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
 /// [`OutsidePlane`] if x is outside [0, 8], |y| > 2, a coordinate is NaN, or the point is in the gap between
 /// two tips by more than rounding.
 #[inline]
-pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>> {
+pub fn from_plane<T: Real>(point: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>> {
+    Ok(spot(point)?.on_sphere())
+}
+
+/// The place of a point of the plane.
+#[inline(always)]
+pub(super) fn spot<T: Real>([x, y]: [T; 2]) -> Result<Spot<T>, OutsidePlane<T>> {
     let (two, eight) = (T::of(2.0), T::of(8.0));
     let inside = (x >= T::ZERO) & (x <= eight) & (y.abs() <= two);
     if !inside {
@@ -140,7 +174,10 @@ pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>>
         degrees * (x - either(x > T::of(4.0), eight)),
     );
     let (sin, cos) = select(is_cap, cap(outward), belt(y.abs()));
-    Ok(LatLon::within(atan2_degrees(sin.copysign(y), cos), lon))
+    Ok(Spot {
+        latitude: (sin.copysign(y), cos),
+        lon,
+    })
 }
 
 /// The error of [`from_plane`]: the point is outside HEALPix's plane.
