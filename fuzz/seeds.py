@@ -111,6 +111,17 @@ def main(directory):
         for kind in range(7):
             seeds.add("latitudes_are_true", [EARTH, kind, row["phi"]])
 
+    seeds = Seeds(directory, "healpix")
+    for row in rows("healpix_pixels"):
+        seeds.add("containing", [row["lat"], row["lon"], 29])
+    for row in rows("healpix_places"):
+        depth, number = int(row["depth"]), int(row["pixel"])
+        base, rest = number >> 2 * depth, number % (1 << 2 * depth)
+        pixel = [depth, base, *rest.to_bytes(8, "little"), 0, 0]
+        seeds.add("numbers", [30, *[0] * 9, *pixel])
+        seeds.add("neighbours", pixel)
+        seeds.add("place_is_true", [*pixel, row["dx"], row["dy"]])
+
     seeds = Seeds(directory, "batch")
     for row in rows("geod_inverse_wgs84"):
         pair = [0, 0, row["lat1"], row["lon1"], row["lat2"], row["lon2"]]

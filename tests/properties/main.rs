@@ -7,6 +7,7 @@
 mod areas;
 pub mod edges;
 pub mod geodesic;
+pub mod healpix;
 pub mod position;
 pub mod projection;
 pub mod reference;

@@ -7,6 +7,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use terrella::cube::{CubeMap, CubeProjection, Numbering, Projection};
 use terrella::geodesic::{AnyMethod, Method};
+use terrella::healpix::OnEllipsoid;
 use terrella::{Ellipsoid, Geodetic, LatLon, Latitude, LocalFrame, NAMED, Shift};
 
 use crate::operation::Failure;
@@ -116,6 +117,42 @@ pub struct Cells {
     /// The projection between sphere and cube.
     #[arg(long, value_name = "NAME", default_value = "s2-quadratic", value_parser = projection())]
     pub projection: Projection,
+}
+
+/// The sphere, or an ellipsoid that is asked for.
+#[derive(Args)]
+pub struct SphereOrPlanet {
+    /// The ellipsoid, as for other operations; without it latitudes are those of the sphere.
+    #[arg(long, value_name = "NAME|A,F", value_parser = draw::ellipsoid::parse)]
+    ellipsoid: Option<Ellipsoid<f64>>,
+}
+
+impl SphereOrPlanet {
+    pub fn healpix<T: Number>(&self) -> Result<OnEllipsoid<T>, Failure> {
+        let ellipsoid = match self.ellipsoid {
+            Some(ellipsoid) => rounded(ellipsoid)?,
+            None => Ellipsoid::sphere(T::ONE)?,
+        };
+        Ok(OnEllipsoid::new(ellipsoid)?)
+    }
+}
+
+/// How pixels of HEALPix are numbered.
+#[derive(Args)]
+pub struct Scheme {
+    /// Numbers of the ring scheme instead of the nested one.
+    #[arg(long)]
+    pub ring: bool,
+}
+
+/// Pixels of HEALPix, and what they lie on.
+#[derive(Args)]
+pub struct Pixels {
+    #[command(flatten)]
+    pub scheme: Scheme,
+
+    #[command(flatten)]
+    pub surface: SphereOrPlanet,
 }
 
 /// A projection of the ellipsoid.
