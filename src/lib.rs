@@ -62,7 +62,7 @@
 //! | [`LocalFrame`], [`frame`] | the axes east, north and up about an origin; [`Enu`], [`Ned`], [`Aer`] |
 //! | [`latitude`] | auxiliary latitudes; [`Shifted`], the step from the ellipsoid to the sphere |
 //! | [`cube`] | [`CubeMap`](cube::CubeMap), the projections, and the faces of the cube with their points |
-//! | [`healpix`] | standard HEALPix on the sphere: nested pixels and the plane |
+//! | [`healpix`] | standard HEALPix: pixels and the plane, on the sphere and on an ellipsoid |
 //! | [`geodesic`] | distances, azimuths, destinations and areas, all methods behind one trait |
 //! | [`distortion`] | how a projection distorts shapes, areas and texels, at a point and over whole faces |
 //! | [`terrain`] | tiles of the faces: addresses, neighbours, bounds, selection, vertices in `f32` |

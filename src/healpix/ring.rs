@@ -31,7 +31,7 @@ impl Rings {
     /// The ring of a cap, from 1 at the pole, that contains the pixel of this number: the largest whose
     /// [`before`](Self::before) is not larger.
     const fn ring_in_cap(number: u64) -> u64 {
-        ((2 * number + 1).isqrt() + 1) / 2
+        (2 * number + 1).isqrt().div_ceil(2)
     }
 
     /// The quarter of a cap's ring, and the place in it, of the pixel that has this place in the ring; without
@@ -83,7 +83,7 @@ impl Rings {
         let (across, up) = (rising >> (depth + 1), falling >> (depth + 1));
         let row = 5 - (across + up);
         let quarter = (across + 4 - (row == 0) as u64) % 4;
-        ((4 * row + quarter) as u8, [rising / 2 & last, falling / 2 & last])
+        ((4 * row + quarter) as u8, [(rising / 2) & last, (falling / 2) & last])
     }
 }
 
@@ -95,8 +95,8 @@ impl Pixel {
     ///
     /// ```
     /// use terrella::healpix::Pixel;
-    /// let pixel = Pixel::from_ring(3, 500)?;
-    /// assert_eq!((pixel.number(), pixel.ring_number()), (485, 500));
+    /// let pixel = Pixel::from_ring(4, 1504)?;
+    /// assert_eq!((pixel.number(), pixel.ring_number()), (1130, 1504));
     /// # Ok::<(), terrella::healpix::InvalidPixel>(())
     /// ```
     ///
