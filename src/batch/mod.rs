@@ -49,6 +49,8 @@
 //! | [`map::unproject`] | [`CubeMap::unproject`](crate::cube::CubeMap::unproject) |
 //! | [`area::polygons`] | [`PolygonArea`](crate::geodesic::PolygonArea) |
 //! | [`area::fields`] | [`PlanarPolygon`](crate::geodesic::PlanarPolygon) |
+//! | [`healpix::containing`] | [`OnEllipsoid::containing`](crate::healpix::OnEllipsoid::containing) |
+//! | [`healpix::centre`] | [`OnEllipsoid::centre`](crate::healpix::OnEllipsoid::centre) |
 //! | [`terrain::containing`] | [`Tile::containing`](crate::terrain::Tile::containing) |
 //! | [`terrain::to_key`], [`terrain::from_key`] | [`Key`](crate::terrain::Key) of a tile, and back |
 //! | [`terrain::places_to_key`], [`terrain::directions_to_key`] | the same, of the tile that contains a place |
@@ -113,6 +115,7 @@ mod face_mask;
 mod face_number;
 pub mod frame;
 pub mod geodesic;
+pub mod healpix;
 pub mod latitude;
 pub mod map;
 pub mod position;

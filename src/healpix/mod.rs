@@ -22,4 +22,5 @@ mod ring;
 pub use neighbour::{Corner, Side};
 pub use nested::{InvalidPixel, InvalidPixelPlace, Pixel};
 pub use on_ellipsoid::OnEllipsoid;
+pub(crate) use plane::Facet;
 pub use plane::{OutsidePlane, from_plane, to_plane};

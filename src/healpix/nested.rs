@@ -74,15 +74,21 @@ impl Pixel {
     #[doc(alias = "ang2pix_nest")]
     #[inline]
     pub fn containing<T: Real>(place: LatLon<T>, depth: u8) -> Result<Self, InvalidPixel> {
-        Self::of(Facet::of_place(place), depth)
+        Self::checked(Facet::of_place(place), depth)
+    }
+
+    /// The pixel of a depth that contains a place, if there is such a depth.
+    #[inline(always)]
+    pub(super) fn checked<T: Real>(facet: Facet<T>, depth: u8) -> Result<Self, InvalidPixel> {
+        if depth > Self::MAX_DEPTH {
+            return Err(InvalidPixel::Depth(depth));
+        }
+        Ok(Self::of(facet, depth))
     }
 
     /// The pixel of a depth that contains a place.
     #[inline(always)]
-    pub(super) fn of<T: Real>(facet: Facet<T>, depth: u8) -> Result<Self, InvalidPixel> {
-        if depth > Self::MAX_DEPTH {
-            return Err(InvalidPixel::Depth(depth));
-        }
+    pub(crate) fn of<T: Real>(facet: Facet<T>, depth: u8) -> Self {
         let Facet {
             quarter,
             turn,
@@ -110,7 +116,7 @@ impl Pixel {
         let cap = select(north, [last - west, last - east], [east, west]);
         let polar = select(north, quarter, 8 + quarter);
         let (base, square) = select(facet.is_cap(), (polar, cap), (base, belt));
-        Ok(Self::within(depth, base, square))
+        Self::within(depth, base, square)
     }
 
     /// Creates the pixel of a base pixel, column and row that are known to be in range.
@@ -120,6 +126,12 @@ impl Pixel {
             depth,
             number: (base as u64) << (2 * depth) | spread(x) | spread(y) << 1,
         }
+    }
+
+    /// The pixel of a depth and a number that are known to be in range, or whose results are not used.
+    #[inline(always)]
+    pub(crate) const fn numbered(depth: u8, number: u64) -> Self {
+        Self { depth, number }
     }
 
     /// Returns the depth, 0 to 29.
@@ -187,7 +199,7 @@ impl Pixel {
 
     /// The centre.
     #[inline(always)]
-    pub(super) fn middle<T: Real>(self) -> Spot<T> {
+    pub(crate) fn middle<T: Real>(self) -> Spot<T> {
         let half = T::of(0.5);
         self.at([half, half])
     }

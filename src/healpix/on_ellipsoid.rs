@@ -71,7 +71,7 @@ impl<T: Real> OnEllipsoid<T> {
     /// [`InvalidPixel::Depth`] if the depth is above 29.
     #[inline]
     pub fn containing(&self, place: LatLon<T>, depth: u8) -> Result<Pixel, InvalidPixel> {
-        Pixel::of(self.facet(place), depth)
+        Pixel::checked(self.facet(place), depth)
     }
 
     /// Returns the centre of a pixel: [`Pixel::centre`] on the ellipsoid.
@@ -119,8 +119,13 @@ impl<T: Real> OnEllipsoid<T> {
         Ok(self.ground(spot(point)?))
     }
 
+    /// The step from the ellipsoid to the sphere.
+    pub(crate) fn shifted(&self) -> &Shifted<T> {
+        &self.shifted
+    }
+
     #[inline(always)]
-    fn facet(&self, place: LatLon<T>) -> Facet<T> {
+    pub(crate) fn facet(&self, place: LatLon<T>) -> Facet<T> {
         Facet::of(self.shifted.latitude(place.lat()), place.lon())
     }
 

@@ -6,7 +6,7 @@ use crate::{LatLon, Real};
 /// A place in the coordinates that the pixels and the plane of HEALPix share, relative to the middle of its
 /// quarter of longitude.
 #[derive(Clone, Copy)]
-pub(super) struct Facet<T> {
+pub(crate) struct Facet<T> {
     /// The number of the quarter, 0 to 3 eastward from longitude 0.
     pub quarter: u8,
     /// The longitude from the middle of the quarter, divided by 90°, in [−½, ½].
@@ -27,7 +27,7 @@ impl<T: Real> Facet<T> {
     /// Creates it from sine and cosine of the latitude on the sphere, and the longitude in degrees from −180
     /// to 180. A place on a meridian between two quarters belongs to the eastern one.
     #[inline(always)]
-    pub(super) fn of((sin, cos): (T, T), lon: T) -> Self {
+    pub(crate) fn of((sin, cos): (T, T), lon: T) -> Self {
         let (right_angle, half_circle) = (T::of(90.0), T::of(180.0));
         let lon = select(lon < half_circle, lon, -half_circle);
         let east = select(lon < right_angle, 0, 1);
@@ -51,7 +51,7 @@ impl<T: Real> Facet<T> {
 
 /// A place on the sphere, before its latitude is an angle.
 #[derive(Clone, Copy)]
-pub(super) struct Spot<T> {
+pub(crate) struct Spot<T> {
     /// The sine and the cosine of the latitude, which may have a common factor near 1.
     pub latitude: (T, T),
     /// The longitude in degrees, from −180 to 180.

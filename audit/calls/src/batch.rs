@@ -72,7 +72,7 @@ pub fn lent<T, const N: usize>(columns: &Columns<T, N>) -> [&[T]; N] {
 }
 
 /// The results of a batch, and whether it was refused.
-fn into<T: Scalar, E: Bits, const N: usize>(
+pub fn into<T: Scalar, E: Bits, const N: usize>(
     batch: impl FnOnce([&mut [T]; N]) -> Result<(), E>,
 ) -> (Columns<T, N>, Result<(), E>) {
     let mut columns = [[T::ZERO; POINTS]; N];

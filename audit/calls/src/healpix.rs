@@ -1,7 +1,9 @@
 use terrella::Ellipsoid;
+use terrella::batch::{self, healpix::InvalidPixelled};
 use terrella::healpix::{self, Corner, InvalidPixel, InvalidPixelPlace, OnEllipsoid, OutsidePlane, Pixel, Side};
 
-use crate::{Arguments, Bits, Hash, Scalar, Visitor};
+use crate::batch::{function, into, lent, places};
+use crate::{Arguments, Bits, Hash, POINTS, Scalar, Visitor};
 
 pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     let draw = |arguments: &mut Arguments| (arguments.place::<T>(), arguments.below(31) as u8);
@@ -87,6 +89,23 @@ fn on_ellipsoid<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("OnEllipsoid::from_plane", Arguments::units::<T, 2>, |[x, y]| {
         OnEllipsoid::from_plane(&earth, [T::of(8.0) * T::abs(x), T::of(2.0) * y])
     });
+    batches(visitor, &earth);
+}
+
+fn batches<T: Scalar, V: Visitor>(visitor: &mut V, earth: &OnEllipsoid<T>) {
+    let draw = |arguments: &mut Arguments| (arguments.below(31) as u8, places::<T>(arguments));
+    visitor.visit::<T, _, _>(function("batch::healpix::containing", ""), draw, |(depth, places)| {
+        let mut numbers = [0; POINTS];
+        let outcome = batch::healpix::containing(earth, depth, lent(&places), &mut numbers);
+        (numbers, outcome)
+    });
+    let draw = |arguments: &mut Arguments| {
+        let numbers = [(); POINTS].map(|()| any_pixel(arguments).number());
+        (arguments.below(31) as u8, numbers)
+    };
+    visitor.visit::<T, _, _>(function("batch::healpix::centre", ""), draw, |(depth, numbers)| {
+        into(|centres| batch::healpix::centre(earth, depth, &numbers, centres))
+    });
 }
 
 /// A depth that may be too large, and a number of any size.
@@ -124,6 +143,15 @@ impl Bits for InvalidPixel {
 impl<T: Scalar> Bits for InvalidPixelPlace<T> {
     fn add_to(&self, hash: &mut Hash) {
         [self.dx, self.dy].add_to(hash);
+    }
+}
+
+impl<T: Scalar> Bits for InvalidPixelled<T> {
+    fn add_to(&self, hash: &mut Hash) {
+        match self {
+            Self::Place(why) => why.add_to(hash),
+            Self::Pixel(why) => why.add_to(hash),
+        }
     }
 }
 

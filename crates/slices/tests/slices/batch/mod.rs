@@ -13,12 +13,14 @@ use testkit::properties;
 use testkit::scalar::{Scalar, same};
 
 mod frame;
+mod healpix;
 mod line;
 mod ring;
 mod scene;
 mod terrain;
 
 use frame::frames;
+use healpix::pixels;
 use line::{checked, distances, end, line, lines, paths};
 use ring::rings;
 use scene::answers;
@@ -26,7 +28,7 @@ use terrain::{keys, samples, tiles};
 
 properties! {
     positions latitudes points projections maps inverses directs
-    distances lines paths frames tiles keys samples rings answers
+    distances lines paths frames tiles keys samples rings answers pixels
 }
 
 /// What stands where nothing was written.

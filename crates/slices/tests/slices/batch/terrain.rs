@@ -10,12 +10,12 @@ use testkit::bytes::Bytes;
 use testkit::scalar::{Scalar, same};
 
 /// A whole number in pieces of 16 bits, which are exact in any scalar.
-fn pieces<T: Real>(number: u64) -> [T; 4] {
+pub(super) fn pieces<T: Real>(number: u64) -> [T; 4] {
     [48, 32, 16, 0].map(|shift| T::of(f64::from((number >> shift) as u16)))
 }
 
 /// Keys in place of columns of their pieces, which are written if they are. If a column has another length, so have the keys.
-fn with_keys<T: Scalar, E>(
+pub(super) fn with_keys<T: Scalar, E>(
     columns: [&mut [T]; 4],
     work: impl FnOnce(&mut [u64]) -> Result<(), InvalidBatch<E>>,
 ) -> Result<(), InvalidBatch<E>> {
