@@ -91,8 +91,8 @@ impl<T: Real, C: Turn<T>> Kernel<[u64; 1]> for Centre<T, C> {
 /// use terrella::{Ellipsoid, batch::healpix};
 /// let earth = OnEllipsoid::new(Ellipsoid::<f64>::WGS84)?;
 /// let mut numbers = [0; 2];
-/// healpix::containing(&earth, 12, [&[59.91, 0.0], &[10.75, 450.0]], &mut numbers)?;
-/// assert_eq!(numbers, [12_427_310, 96_468_992]);
+/// healpix::containing(&earth, 12, [&[59.91, -33.5], &[10.75, 450.25]], &mut numbers)?;
+/// assert_eq!(numbers, [12_427_310, 84_096_905]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "ang2pix")]
