@@ -77,6 +77,13 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
         }
     }
 
+    /// The outward normal at a point of a face, and the derivatives of the place by x and by y, in Earth axes.
+    pub(super) fn slopes(&self, face: Face, point: [T; 2]) -> ([T; 3], [[T; 3]; 2]) {
+        let [_, correction] = self.lifted.corrections();
+        let direction = direction(self.map.projection(), face, point);
+        tangents(self.lifted.ellipsoid(), &correction, direction)
+    }
+
     /// Returns the derivative of the ground as central difference quotients: differences over 2 · `step`, as
     /// Dimitrijević, Lambers & Rančić (2016) compute them with a step of 10⁻⁶.
     ///
@@ -134,10 +141,21 @@ where
 pub(super) fn jacobian<T: Real>(
     ellipsoid: Ellipsoid<Dual<T, 2>>,
     correction: &impl Turn<Dual<T, 2>>,
-    [x, y, z]: [Dual<T, 2>; 3],
+    direction: [Dual<T, 2>; 3],
 ) -> Jacobian<T> {
+    let (normal, slopes) = tangents(ellipsoid, correction, direction);
+    Jacobian::in_tangent_plane(normal, slopes)
+}
+
+/// The outward normal of the ground at a direction, and the derivatives of the place.
+#[inline(always)]
+fn tangents<T: Real>(
+    ellipsoid: Ellipsoid<Dual<T, 2>>,
+    correction: &impl Turn<Dual<T, 2>>,
+    [x, y, z]: [Dual<T, 2>; 3],
+) -> ([T; 3], [[T; 3]; 2]) {
     let normal = normal(correction, Direction::within(x, y, z));
-    Jacobian::in_tangent_plane(normal.to_array().map(Dual::value), slopes(ellipsoid.foot(normal)))
+    (normal.to_array().map(Dual::value), slopes(ellipsoid.foot(normal)))
 }
 
 /// The derivatives of a vector's components with respect to each variable.

@@ -100,6 +100,25 @@ impl<T: Real> Jacobian<T> {
     #[must_use]
     #[inline(always)]
     pub fn deformation(&self) -> T {
+        let sine = self.sine();
+        T::of(2.0) * atan2_degrees(sine, ((T::ONE - sine) * (T::ONE + sine)).sqrt())
+    }
+
+    /// Returns a/b, the ratio of the semi-axes of Tissot's indicatrix: the largest scale divided by the
+    /// smallest, at least 1.
+    ///
+    /// It is D_I, the isotropy distortion of Lambers (2019). It is 1 where angles are true.
+    #[doc(alias = "anisotropy")]
+    #[must_use]
+    #[inline(always)]
+    pub fn isotropy(&self) -> T {
+        let sine = self.sine();
+        (T::ONE + sine) / (T::ONE - sine)
+    }
+
+    /// sin(ω/2) = (a − b)/(a + b), at most 1.
+    #[inline(always)]
+    fn sine(&self) -> T {
         // For the ellipse that by_x and by_y span, with semi-axes p ≥ q: the root below is p² − q², and `sum`
         // is (p + q)².
         let [a, b] = self.by_x;
@@ -107,8 +126,7 @@ impl<T: Real> Jacobian<T> {
         let two = T::of(2.0);
         let (slant, stretch) = (two * (a * c + b * d), (a * a + b * b) - (c * c + d * d));
         let sum = (a * a + b * b) + (c * c + d * d) + two * self.area().abs();
-        let sine = min((slant * slant + stretch * stretch).sqrt() / sum, T::ONE);
-        two * atan2_degrees(sine, ((T::ONE - sine) * (T::ONE + sine)).sqrt())
+        min((slant * slant + stretch * stretch).sqrt() / sum, T::ONE)
     }
 
     /// Returns the smallest and the largest length on the ground of a unit step in any direction of the face

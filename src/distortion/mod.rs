@@ -3,7 +3,8 @@
 //! [`Ground`] maps the faces of a [`CubeMap`](crate::cube::CubeMap) to the planet. Its [`Jacobian`] at a
 //! point is the derivative of the projection's own code, run on [`Dual`](crate::Dual) numbers; this works for
 //! a projection that you write, too. The measures of a texel and [`Tissot`]'s indicatrix follow from it, and
-//! a [`Survey`] finds the worst values on a face. [`texture`] computes the mipmap levels that a renderer
+//! a [`Survey`] finds the worst values on a face. [`Cells`] measures whole cells, and [`Kinks`] the turns of
+//! lines at creases. [`texture`] computes the mipmap levels that a renderer
 //! needs.
 //!
 //! ```
@@ -21,6 +22,19 @@
 //! assert!(survey.sides().ratio() > 3.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Criteria
+//!
+//! | criterion | function |
+//! |---|---|
+//! | texture oversize ε, aspect, Λx·Λy: Dimitrijević, Lambers & Rančić (2016) | [`Survey::oversize`], [`Survey::aspect`], [`Survey::sides`] |
+//! | D_A, areal scale, and D_I, isotropy: Lambers (2019) | [`Survey::scale`], [`Survey::isotropy`] |
+//! | evenness of areas: Zucker & Higashi (2018) | [`Statistic::rmsd`] of [`Survey::area`] |
+//! | Tissot's ω | [`Survey::deformation`] |
+//! | any of these on land only | [`Survey::face_where`] |
+//! | area, edge, diagonal, angle span: S2's cell metrics | [`Cells`] |
+//! | compactness, spacing of neighbours | [`Cells::compactness`], [`Cells::spacing`] |
+//! | kinks at edges, diagonals and midlines | [`Kinks`] |
 //!
 //! # Which projection for what
 //!
@@ -67,15 +81,22 @@
 //! [`Outerra`]: crate::cube::Outerra
 //! [`Cartesian`]: crate::cube::Cartesian
 
+mod cell;
+mod cells;
 mod ground;
 mod jacobian;
+mod kinks;
 mod statistic;
+mod strips;
 mod survey;
 pub mod texture;
 mod tissot;
+mod unfolded;
 
+pub use cells::Cells;
 pub use ground::{Ground, Singular};
 pub use jacobian::Jacobian;
+pub use kinks::Kinks;
 pub use statistic::Statistic;
 pub use survey::Survey;
 pub use tissot::Tissot;

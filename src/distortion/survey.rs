@@ -5,13 +5,14 @@ use crate::cube::{CubeProjection, Face, FacePoint, ProjectionTask};
 use crate::latitude::{Turn, with_correction};
 use crate::math::{max, min};
 use crate::simd::{BLOCK, Kernel, sweep};
-use crate::{Dual, Ellipsoid, Real, Shifted};
+use crate::{Direction, Dual, Ellipsoid, Real, Shifted};
 
 /// An accumulator of distortion measures over any set of points: the worst and the mean values. Its size is
 /// fixed.
 ///
 /// Areas are in units of the `reference` that the survey was created with. For Λ₀², the paper's central
-/// texel, use [`Ground::central_texel`].
+/// texel, use [`Ground::central_texel`]; for the mean area, [`Ground::fair_texel`]. [`Cells`](super::Cells)
+/// measures whole cells instead of points, and [`Kinks`](super::Kinks) the creases between them.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Face, Quadrilateralized};
@@ -34,6 +35,8 @@ pub struct Survey<T> {
     sides: Statistic<T>,
     area: Statistic<T>,
     deformation: Statistic<T>,
+    scale: Statistic<T>,
+    isotropy: Statistic<T>,
     skipped: u64,
 }
 
@@ -47,6 +50,8 @@ impl<T: Real> Survey<T> {
             sides: Statistic::about(T::ONE),
             area: Statistic::about(T::ONE),
             deformation: Statistic::about(T::ZERO),
+            scale: Statistic::about(T::ONE),
+            isotropy: Statistic::about(T::ONE),
             skipped: 0,
         }
     }
@@ -58,32 +63,26 @@ impl<T: Real> Survey<T> {
     }
 
     /// Includes part of a row.
-    fn include_row(&mut self, face: Face, y: T, xs: &[T], texels: [&[T]; 4]) {
+    fn include_row(&mut self, face: Face, y: T, xs: &[T], texels: [&[T]; MEASURES]) {
         let at = |x: T| FacePoint::within(face, x, y);
-        let [aspect, sides, area, deformation] = texels;
-        if area.iter().all(|&area| is_regular(area)) {
-            self.aspect.include_row(at, xs, aspect);
-            self.sides.include_row(at, xs, sides);
-            self.area.include_row(at, xs, area);
-            self.deformation.include_row(at, xs, deformation);
-        } else {
-            let columns = aspect.iter().zip(sides).zip(area).zip(deformation);
-            for (&x, (((&aspect, &sides), &area), &deformation)) in xs.iter().zip(columns) {
-                if is_regular(area) {
-                    self.take(at(x), [aspect, sides, area, deformation]);
-                } else {
-                    self.skipped += 1;
-                }
-            }
-        }
+        let [aspect, sides, area, deformation, scale, isotropy] = texels;
+        self.aspect.include_row(at, xs, aspect);
+        self.sides.include_row(at, xs, sides);
+        self.area.include_row(at, xs, area);
+        self.deformation.include_row(at, xs, deformation);
+        self.scale.include_row(at, xs, scale);
+        self.isotropy.include_row(at, xs, isotropy);
     }
 
-    /// Includes the four measures of a point.
-    fn take(&mut self, point: FacePoint<T>, [aspect, sides, area, deformation]: [T; 4]) {
+    /// Includes the measures of a point.
+    fn take(&mut self, point: FacePoint<T>, measures: [T; MEASURES]) {
+        let [aspect, sides, area, deformation, scale, isotropy] = measures;
         self.aspect.include(point, aspect);
         self.sides.include(point, sides);
         self.area.include(point, area);
         self.deformation.include(point, deformation);
+        self.scale.include(point, scale);
+        self.isotropy.include(point, isotropy);
     }
 
     /// Includes n × n points of a face, at x and y of −1 + 2i/n for i from 0 to n − 1. The edges
@@ -92,11 +91,53 @@ impl<T: Real> Survey<T> {
     ///
     /// Points where the map has no derivative are left out and counted in [`skipped`](Self::skipped).
     pub fn face<P: CubeProjection>(&mut self, ground: &Ground<T, P>, face: Face, n: u32) {
+        self.rows(ground, face, n, None::<fn(Direction<T>) -> bool>);
+    }
+
+    /// Includes those of the n × n points of a face that `keep` accepts, for example those on land. Each
+    /// texel that is kept counts once.
+    ///
+    /// `keep` is called with the outward normal of the ground, whose
+    /// [`to_lat_lon`](Direction::to_lat_lon) gives the geodetic latitude and the longitude.
+    ///
+    /// ```
+    /// use terrella::cube::{Balanced, CubeMap, Face};
+    /// use terrella::distortion::{Ground, Survey};
+    /// use terrella::{Ellipsoid, Shift};
+    ///
+    /// let ground = Ground::new(CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Balanced)?);
+    /// let mut tropics = Survey::new(ground.fair_texel());
+    /// for face in Face::ALL {
+    ///     tropics.face_where(&ground, face, 30, |normal| normal.z().abs() < 0.4);
+    /// }
+    /// assert_eq!(tropics.area().count(), 2160);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn face_where<P: CubeProjection>(
+        &mut self,
+        ground: &Ground<T, P>,
+        face: Face,
+        n: u32,
+        keep: impl FnMut(Direction<T>) -> bool,
+    ) {
+        self.rows(ground, face, n, Some(keep));
+    }
+
+    /// Includes points of a face: all, or those that `keep` accepts.
+    fn rows<P: CubeProjection>(
+        &mut self,
+        ground: &Ground<T, P>,
+        face: Face,
+        n: u32,
+        keep: Option<impl FnMut(Direction<T>) -> bool>,
+    ) {
         ground.map().projection().with(Rows {
             survey: self,
             shifted: ground.lifted(),
+            spherical: &ground.map().shifted(),
             face,
             n,
+            keep,
         });
     }
 
@@ -117,6 +158,8 @@ impl<T: Real> Survey<T> {
         self.sides.merge(&other.sides);
         self.area.merge(&other.area);
         self.deformation.merge(&other.deformation);
+        self.scale.merge(&other.scale);
+        self.isotropy.merge(&other.isotropy);
         self.skipped += other.skipped;
     }
 
@@ -144,6 +187,24 @@ impl<T: Real> Survey<T> {
         &self.deformation
     }
 
+    /// Returns the statistic of the areal scale: the reference divided by the area.
+    ///
+    /// With [`Ground::fair_texel`] as the reference, it is D_A, the area distortion of Lambers (2019): he
+    /// gives its mean, the largest deviation from 1, and the root of the mean square deviation. That of
+    /// [`area`](Self::area) is the measure for which the projections of Zucker & Higashi (2018) were
+    /// optimised.
+    #[must_use]
+    pub fn scale(&self) -> &Statistic<T> {
+        &self.scale
+    }
+
+    /// Returns the statistic of a/b, the ratio of the semi-axes of Tissot's indicatrix: D_I, the isotropy
+    /// distortion of Lambers (2019).
+    #[must_use]
+    pub fn isotropy(&self) -> &Statistic<T> {
+        &self.isotropy
+    }
+
     /// Returns ε, the texture oversize: how many times larger than necessary a texture must be so that its
     /// worst texel is good enough.
     ///
@@ -161,34 +222,44 @@ impl<T: Real> Survey<T> {
     }
 }
 
-/// δ_aspect, δ_area, the true area in the same unit, and ω.
+/// The number of measures of a texel.
+const MEASURES: usize = 6;
+
+/// δ_aspect, δ_area, the true area in the same unit, ω, the areal scale, and the isotropy.
 #[inline(always)]
-fn measures<T: Real>(texel: &Jacobian<T>, reference: T) -> [T; 4] {
+fn measures<T: Real>(texel: &Jacobian<T>, reference: T) -> [T; MEASURES] {
     [
         texel.aspect(),
         texel.sides() / reference,
         texel.area() / reference,
         texel.deformation(),
+        reference / texel.area(),
+        texel.isotropy(),
     ]
 }
 
 /// The survey of a face for a known projection, a part of a row at a time.
-struct Rows<'a, T> {
+struct Rows<'a, T, K> {
     survey: &'a mut Survey<T>,
     shifted: &'a Shifted<Dual<T, 2>>,
+    spherical: &'a Shifted<T>,
     face: Face,
     n: u32,
+    /// Which points are included: all without it.
+    keep: Option<K>,
 }
 
-impl<T: Real> ProjectionTask for Rows<'_, T> {
+impl<T: Real, K: FnMut(Direction<T>) -> bool> ProjectionTask for Rows<'_, T, K> {
     type Output = ();
 
     fn run<P: CubeProjection>(self, projection: P) {
         let Self {
             survey,
             shifted,
+            spherical,
             face,
             n,
+            mut keep,
         } = self;
         let ellipsoid = shifted.ellipsoid();
         let [_, correction] = shifted.corrections();
@@ -198,7 +269,8 @@ impl<T: Real> ProjectionTask for Rows<'_, T> {
         let along = |index: u32| min(T::whole(u64::from(index)) * step - T::ONE, T::ONE);
         let mut places = [[T::ZERO; PART]; 2];
         let mut directions = [[T::ZERO; PART]; 9];
-        let mut texels = [[T::ZERO; PART]; 4];
+        let mut texels = [[T::ZERO; PART]; MEASURES];
+        let mut kept = [true; PART];
         for row in 0..n {
             let y = along(row);
             for start in (0..n).step_by(PART) {
@@ -220,7 +292,28 @@ impl<T: Real> ProjectionTask for Rows<'_, T> {
                 });
                 let here = ((n - start) as usize).min(PART);
                 let used = |column| <[T]>::get(column, ..here).unwrap_or_default();
-                survey.include_row(face, y, used(xs), texels.each_ref().map(|column| used(column)));
+                if let Some(keep) = &mut keep {
+                    let [xs, _, _, ys, _, _, zs, _, _] = known.map(used);
+                    for (kept, ((&x, &y), &z)) in kept.iter_mut().zip(xs.iter().zip(ys).zip(zs)) {
+                        *kept = keep(spherical.normal(Direction::within(x, y, z)));
+                    }
+                }
+                let columns = texels.each_ref().map(|column| used(column));
+                let [_, _, area, ..] = columns;
+                let all = kept.iter().zip(area).all(|(&kept, &area)| kept & is_regular(area));
+                if all {
+                    survey.include_row(face, y, used(xs), columns);
+                    continue;
+                }
+                for (index, (&kept, &x)) in kept.iter().zip(used(xs)).enumerate() {
+                    let measures = columns.map(|column| column.get(index).copied().unwrap_or_default());
+                    let [_, _, area, ..] = measures;
+                    if kept & is_regular(area) {
+                        survey.take(FacePoint::within(face, x, y), measures);
+                    } else {
+                        survey.skipped += u64::from(kept);
+                    }
+                }
             }
         }
     }
@@ -247,7 +340,7 @@ impl<T: Real, P: CubeProjection> Kernel<[T; 2]> for ToDirection<P> {
     }
 }
 
-/// The kernel from those to the four measures of a survey.
+/// The kernel from those to the measures of a survey.
 #[derive(Clone, Copy)]
 struct ToTexel<T, C> {
     ellipsoid: Ellipsoid<Dual<T, 2>>,
@@ -256,10 +349,10 @@ struct ToTexel<T, C> {
 }
 
 impl<T: Real, C: Turn<Dual<T, 2>>> Kernel<[T; 9]> for ToTexel<T, C> {
-    type Output = [T; 4];
+    type Output = [T; MEASURES];
 
     #[inline(always)]
-    fn apply(&self, [x, xx, xy, y, yx, yy, z, zx, zy]: [T; 9]) -> [T; 4] {
+    fn apply(&self, [x, xx, xy, y, yx, yy, z, zx, zy]: [T; 9]) -> [T; MEASURES] {
         let direction = [Dual::new(x, [xx, xy]), Dual::new(y, [yx, yy]), Dual::new(z, [zx, zy])];
         measures(&jacobian(self.ellipsoid, &self.turn, direction), self.reference)
     }

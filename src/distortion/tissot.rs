@@ -92,4 +92,12 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     pub fn unit(&self) -> T {
         T::of(0.723_601_254_558_267_7) * self.ellipsoid().authalic_radius()
     }
+
+    /// Returns the area that each texel has where all have the same, in square metres per unit of x and of y:
+    /// a 24th of the planet, the square of [`unit`](Self::unit).
+    #[must_use]
+    pub fn fair_texel(&self) -> T {
+        let unit = self.unit();
+        unit * unit
+    }
 }

@@ -3,10 +3,15 @@
     missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests
 
+mod cells;
 mod corner;
+mod criteria;
 mod derivatives;
 mod dual;
 mod equal_area;
+mod kinks;
+mod lambers;
+mod land;
 mod paper;
 mod sphere;
 mod survey;

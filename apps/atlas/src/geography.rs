@@ -61,7 +61,8 @@ pub fn coastline(path: &Path) -> Result<Vec<Line>, String> {
     Ok(lines)
 }
 
-fn vertex(row: &str) -> Option<(u32, LatLon<f64>)> {
+/// The ring and the place of a line.
+pub fn vertex(row: &str) -> Option<(u32, LatLon<f64>)> {
     let mut columns = row.split('\t');
     let ring = columns.next()?.parse().ok()?;
     let lon = columns.next()?.parse().ok()?;

@@ -13,11 +13,13 @@ mod distortion;
 mod geography;
 mod globe;
 mod indicatrix;
+mod land;
 mod legend;
 mod multiples;
 mod page;
 mod pareto;
 mod pen;
+mod ranking;
 mod scale;
 mod table;
 mod trace;
@@ -35,6 +37,7 @@ use cli::Options;
 use cross::Geography;
 use distortion::Quantity;
 use globe::Globe;
+use land::Land;
 use page::Shown;
 
 const JPEG_QUALITY: u8 = 88;
@@ -59,6 +62,7 @@ fn atlas(options: &Options) -> Result<String, String> {
         coastline: geography::coastline(&options.coastline)?,
         graticule: geography::graticule(),
     };
+    let land = Land::read(&options.coastline)?;
     fs::create_dir_all(&options.out).map_err(|error| cannot("create the folder", &options.out, &error))?;
 
     let globe = Globe::new(&imagery, options.size)?;
@@ -77,7 +81,7 @@ fn atlas(options: &Options) -> Result<String, String> {
         fs::write(&ellipses, indicatrix::svg(map, &geography.coastline))
             .map_err(|error| cannot("write", &ellipses, &error))?;
         progress.step();
-        let shown = Shown::of(map);
+        let shown = Shown::of(map, &land);
         progress.step();
         Ok::<_, String>(shown)
     })?;

@@ -2,18 +2,23 @@
 
 use std::path::Path;
 
-use terrella::cube::{CubeMap, Projection};
+use terrella::cube::{CubeMap, Face, Projection};
+use terrella::distortion::{Ground, Survey};
 
 use draw::page::escaped;
 
 use crate::article::article;
 use crate::cli::Options;
 use crate::globe::{self, CELLS, Grid};
-use crate::{legend, multiples, pareto, table};
+use crate::land::Land;
+use crate::{legend, multiples, pareto, ranking, table};
 use testkit::measure::Measures;
 
 /// The side of the square that a sketch is drawn in: fine enough for whole numbers.
 const SKETCH: u16 = 800;
+
+/// Places along the edge of a face where land is looked for.
+const LAND: u32 = 128;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
@@ -22,16 +27,24 @@ const SCRIPT: &str = include_str!("page.js");
 pub struct Shown {
     pub projection: Projection,
     pub measures: Measures,
+    /// Of the land, on the ellipsoid.
+    pub land: Survey<f64>,
     sketch: Grid,
 }
 
 impl Shown {
     /// Gathers what is told about the projection of a map.
-    pub fn of(map: &CubeMap<f64, Projection>) -> Self {
+    pub fn of(map: &CubeMap<f64, Projection>, land: &Land) -> Self {
         let projection = map.projection();
+        let ground = Ground::new(*map);
+        let mut dry = Survey::new(ground.fair_texel());
+        for face in Face::ALL {
+            dry.face_where(&ground, face, LAND, |normal| land.holds(normal));
+        }
         Self {
             projection,
             measures: Measures::of(projection),
+            land: dry,
             sketch: globe::sketch(map, SKETCH),
         }
     }
@@ -68,7 +81,7 @@ straight, and none has everything: equal areas, true angles, cells all alike, a 
 <p>For each projection there is the cube, unfolded, with the map of the Earth on it and a line every 15 degrees of latitude and longitude;
 and the globe, with a grid of {CELLS} by {CELLS} cells laid over each face and carried back to the ground. The edges of the cube are
 golden. What the cells of that grid look like on the globe is what a projection does to squares. The figures are in the
-<a href="#comparison">comparison</a>, and what they mean is drawn as <a href="#bargains">points in a plane</a> and in
+<a href="#comparison">comparison</a>, who is best at what in the <a href="#ranking">ranking</a>, and what the figures mean is drawn as <a href="#bargains">points in a plane</a> and in
 <a href="#side-by-side">colours on the faces</a>.</p>
 </header>
 <nav aria-label="Projections">
@@ -87,7 +100,7 @@ golden. What the cells of that grid look like on the globe is what a projection 
 <p class="note">All figures and colours were measured on the sphere while this page was made, by dual numbers, the best of each column in
 gold; a heading that is pressed sorts by its column. The areas of a conformal cube have no bound, since its cells vanish in the corners.</p>
 </section>
-<section aria-labelledby="bargains">
+{ranking}<section aria-labelledby="bargains">
 <h2 id="bargains">Bargains</h2>
 <p>What is won in the shape of cells is paid in their size. Each point is a projection, and better is down and to the left. The
 three in gold were made for terrella.</p>
@@ -119,6 +132,7 @@ another map was given. Coastline: Natural Earth. Both are in the public domain.<
         sheet = shown.iter().map(sheet_item).collect::<String>(),
         table = table::table(shown),
         meanings = table::meanings(),
+        ranking = ranking::section(shown),
         texels = pareto::texels(shown),
         shapes = pareto::shapes(shown),
         multiples = multiples::section(shown),

@@ -144,11 +144,11 @@ pub const FIGURES: &[Figure] = &[
         group: "Crease",
         short: "inside",
         name: "Crease inside",
-        meaning: "the sharpest turn, on the ground, of a straight grid line inside a face, and where it goes on from one face to the \
-                  next",
+        meaning: "the sharpest turn, on the ground, of a straight line of the map that crosses a diagonal or midline of a face, \
+                  and where it goes on from one face to the next",
         decimals: 1,
         unit: "°",
-        value: Cube(|m| m.inner_bend),
+        value: Cube(Measures::inner_bend),
         best: Best::Least,
     },
     Figure {
@@ -158,7 +158,7 @@ pub const FIGURES: &[Figure] = &[
         meaning: "",
         decimals: 1,
         unit: "°",
-        value: Cube(|m| m.edge_bend),
+        value: Cube(|m| m.kinks.edges().max()),
         best: Best::Least,
     },
 ];

@@ -16,6 +16,12 @@ fn every_projection_has_its_pictures() {
     }
     let page = text(out, "index.html");
     assert_eq!(page.matches("class=\"chart\"").count(), 2);
+    // A row in the ranking for each projection, with every rank and figure.
+    let (_, ranking) = page.split_once("<table class=\"ranks\">").unwrap_or_default();
+    let (ranking, _) = ranking.split_once("</table>").unwrap_or_default();
+    assert_eq!(ranking.matches("<tr><th scope=\"row\">").count(), Projection::ALL.len());
+    assert_eq!(ranking.matches("<small>").count(), Projection::ALL.len() * 20);
+    assert!(!ranking.contains("NaN") && !ranking.contains("inf"));
     assert!(page.contains("</html>"));
 }
 

@@ -1,6 +1,6 @@
 use terrella::cube::{Corner, Edge, Face, FacePoint, InvalidFace, InvalidFacePoint, InvalidNumbered, Neighbour};
 use terrella::distortion::texture::Anisotropic;
-use terrella::distortion::{Jacobian, Singular, Statistic, Survey, Tissot};
+use terrella::distortion::{Cells, Jacobian, Kinks, Singular, Statistic, Survey, Tissot};
 use terrella::frame::{GeodeticOffset, InvalidEnu};
 use terrella::geodesic::{Direct, GeodesicError, Inverse, LinePoint, Solution};
 use terrella::latitude::{InvalidLatitude, UnsupportedFlattening};
@@ -174,6 +174,14 @@ parts! {
         [Survey::aspect(s), Survey::sides(s), Survey::area(s), Survey::deformation(s)],
         Survey::oversize(s),
         Survey::skipped(s),
+    );
+    Cells |c| (
+        [Cells::area(c), Cells::edge(c), Cells::diagonal(c), Cells::span(c)],
+        [Cells::edge_aspect(c), Cells::diagonal_aspect(c), Cells::compactness(c), Cells::spacing(c)],
+    );
+    Kinks |k| (
+        [Kinks::edges(k), Kinks::diagonals(k), Kinks::midlines(k)],
+        Kinks::skipped(k),
     );
     InvalidLatLon |why| match why {
         InvalidLatLon::Latitude(lat) => (false, *lat),

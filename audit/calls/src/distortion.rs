@@ -1,5 +1,5 @@
 use terrella::cube::{CubeMap, Projection};
-use terrella::distortion::{Ground, Jacobian, Statistic, Survey, Tissot, texture};
+use terrella::distortion::{Cells, Ground, Jacobian, Kinks, Statistic, Survey, Tissot, texture};
 use terrella::{Ellipsoid, Shift};
 
 use crate::{Arguments, Function, Scalar, Visitor};
@@ -17,6 +17,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
         let shapes = [Jacobian::aspect(&j), Jacobian::sides(&j), Jacobian::grid_angle(&j)];
         (sizes, shapes, Jacobian::deformation(&j), Jacobian::extremes(&j))
     });
+    visitor.function::<T, _, _>("Jacobian::isotropy", jacobian, |j| Jacobian::isotropy(&j));
     visitor.function::<T, _, _>("Tissot::new", jacobian, |j| Tissot::new(&j, T::of(6.4e6)));
     let four = Arguments::units::<T, 4>;
     visitor.function::<T, _, _>("texture::level", four, |[a, b, c, d]| texture::level([a, b], [c, d]));
@@ -65,7 +66,40 @@ fn grounds<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
         Survey::face(&mut survey, &ground, face, 3);
         survey
     });
+    visitor.visit::<T, _, _>(function("Survey::face_where"), Arguments::face, |face| {
+        let mut survey = Survey::new(Ground::fair_texel(&ground));
+        Survey::face_where(&mut survey, &ground, face, 3, |normal| normal.x() > T::ZERO);
+        (
+            [*Survey::scale(&survey), *Survey::isotropy(&survey)],
+            *Survey::area(&survey),
+            Survey::skipped(&survey),
+        )
+    });
+    visitor.visit::<T, _, _>(function("Cells::face"), Arguments::face, |face| {
+        let mut cells = Cells::new();
+        Cells::face(&mut cells, &ground, face, 3);
+        cells
+    });
+    visitor.visit::<T, _, _>(function("Kinks::face"), Arguments::face, |face| {
+        let mut kinks = Kinks::new();
+        Kinks::face(&mut kinks, &ground, face, 2);
+        kinks
+    });
     if projection == Projection::Vertex {
+        visitor.visit::<T, _, _>(function("Cells::sphere"), Arguments::face, |face| {
+            let (mut one, mut other) = (Cells::new(), Cells::new());
+            Cells::sphere(&mut one, &ground, 2);
+            Cells::face(&mut other, &ground, face, 1);
+            Cells::merge(&mut one, &other);
+            one
+        });
+        visitor.visit::<T, _, _>(function("Kinks::sphere"), Arguments::face, |face| {
+            let (mut one, mut other) = (Kinks::new(), Kinks::new());
+            Kinks::sphere(&mut one, &ground, 2);
+            Kinks::face(&mut other, &ground, face, 1);
+            Kinks::merge(&mut one, &other);
+            one
+        });
         visitor.visit::<T, _, _>(function("Survey::sphere"), Arguments::face_point::<T>, |point| {
             let (mut one, mut other) = (Survey::new(T::of(3e13)), Survey::new(T::of(3e13)));
             Survey::sphere(&mut one, &ground, 1);

@@ -1,7 +1,7 @@
-//! What a projection does to shapes and sizes, measured on the sphere: surveys by the crate, and the bends of grid lines.
+//! What a projection does to shapes and sizes, measured on the sphere by the crate.
 
-use terrella::cube::{CubeMap, Edge, Face, FacePoint, Projection};
-use terrella::distortion::{Ground, Jacobian, Survey};
+use terrella::cube::{CubeMap, Face, FacePoint, Projection};
+use terrella::distortion::{Cells, Ground, Jacobian, Kinks, Survey};
 use terrella::{Ellipsoid, Shift};
 
 /// Columns of places that are measured on a face. None of them is on a midline, and with two more rows none is on a diagonal: the
@@ -11,16 +11,22 @@ const COLUMNS: u32 = 300;
 /// How far from a crease its sides are measured.
 const BESIDE: f64 = 1e-9;
 
+/// Cells along the edge of a face.
+const CELLS: u32 = 64;
+
+/// Places along a crease where kinks are measured.
+const KINKS: u32 = 2000;
+
 /// A projection in numbers.
 pub struct Measures {
     /// The whole sphere.
     pub sphere: Surveys,
     /// A face around the equator, and one around a pole.
     pub kinds: [Surveys; 2],
-    /// Largest turn of a grid line on the ground inside a face, in degrees.
-    pub inner_bend: f64,
-    /// Largest turn of a grid line on the ground from face to face, in degrees.
-    pub edge_bend: f64,
+    /// How lines turn at creases.
+    pub kinks: Kinks<f64>,
+    /// What whole cells are like.
+    pub cells: Cells<f64>,
 }
 
 /// The same ground twice.
@@ -28,6 +34,8 @@ pub struct Measures {
 pub struct Surveys {
     /// Evenly: for means.
     pub usual: Survey<f64>,
+    /// The same places, with areas in units of their mean.
+    pub fair: Survey<f64>,
     /// Along edges and creases too: for extremes.
     pub worst: Survey<f64>,
 }
@@ -37,6 +45,7 @@ impl Surveys {
         let none = Survey::new(ground.central_texel());
         Self {
             usual: none,
+            fair: Survey::new(ground.fair_texel()),
             worst: none,
         }
     }
@@ -55,6 +64,7 @@ impl Surveys {
             for column in 0..COLUMNS {
                 let point = [middle(column, COLUMNS), middle(row, COLUMNS + 2)];
                 include(&mut surveys.usual, point);
+                include(&mut surveys.fair, point);
             }
         }
         surveys.worst = surveys.usual;
@@ -73,6 +83,7 @@ impl Surveys {
 
     fn merge(&mut self, other: &Self) {
         self.usual.merge(&other.usual);
+        self.fair.merge(&other.fair);
         self.worst.merge(&other.worst);
     }
 
@@ -112,12 +123,22 @@ impl Measures {
         for face in Face::ALL {
             sphere.merge(&kinds[usize::from(face.is_polar())]);
         }
+        let (mut kinks, mut cells) = (Kinks::new(), Cells::new());
+        for face in [Face::Front, Face::Top] {
+            kinks.face(&ground, face, KINKS);
+            cells.face(&ground, face, CELLS);
+        }
         Self {
             sphere,
             kinds,
-            inner_bend: inner_bend(&ground),
-            edge_bend: edge_bend(&ground),
+            kinks,
+            cells,
         }
+    }
+
+    /// Largest turn of a line on the ground inside a face, in degrees.
+    pub fn inner_bend(&self) -> f64 {
+        crate::maximum(self.kinks.diagonals().max(), self.kinks.midlines().max())
     }
 
     /// Whether a side face and a polar one differ.
@@ -145,49 +166,7 @@ pub fn texel(ground: &Ground<f64, Projection>, face: Face, [x, y]: [f64; 2]) -> 
     ground.jacobian(FacePoint::new(face, x, y).ok()?).ok()
 }
 
-/// The largest turn of a grid line at the diagonals and midlines of a face.
-fn inner_bend(ground: &Ground<f64, Projection>) -> f64 {
-    let bend = |face, from, to, line: fn(&Jacobian<f64>) -> [f64; 2]| {
-        Some(turn(line(&texel(ground, face, from)?), line(&texel(ground, face, to)?)))
-    };
-    let (less, more) = (-BESIDE, BESIDE);
-    [Face::Front, Face::Top]
-        .into_iter()
-        .flat_map(|face| places_along().map(move |s| (face, s)))
-        .flat_map(|(face, s)| {
-            [
-                bend(face, [s + less, s], [s + more, s], |texel| texel.by_x),
-                bend(face, [s, s + less], [s, s + more], |texel| texel.by_y),
-                bend(face, [less, s], [more, s], |texel| texel.by_x),
-                bend(face, [s, less], [s, more], |texel| texel.by_y),
-            ]
-        })
-        .flatten()
-        .fold(0.0, crate::maximum)
-}
-
-/// The largest turn of a grid line between the front and its neighbours to the right and above.
-fn edge_bend(ground: &Ground<f64, Projection>) -> f64 {
-    let right = Face::Front.neighbour(Edge::Right).face;
-    let above = Face::Front.neighbour(Edge::Up).face;
-    places_along()
-        .flat_map(|s| {
-            let (from, to) = (texel(ground, Face::Front, [1.0, s]), texel(ground, right, [-1.0, s]));
-            let across = from.zip(to).map(|(from, to)| turn(from.by_x, to.by_x));
-            let (from, to) = (texel(ground, Face::Front, [s, 1.0]), texel(ground, above, [s, -1.0]));
-            let upward = from.zip(to).map(|(from, to)| turn(from.by_y, to.by_y));
-            [across, upward]
-        })
-        .flatten()
-        .fold(0.0, crate::maximum)
-}
-
 /// Coordinates from the middle of a crease to nearly its end.
 fn places_along() -> impl Iterator<Item = f64> {
     (1..=1000).map(|i| f64::from(i) * 0.9999e-3)
-}
-
-/// The angle between two vectors to the east and to the north, in degrees.
-fn turn([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
-    (a * d - b * c).abs().atan2(a * c + b * d).to_degrees()
 }
