@@ -131,6 +131,19 @@ fn a_face_is_one_cell() {
 }
 
 #[test]
+fn rounding_grows_with_n() {
+    // Planes at equal angles: every span is that angle, and so are the edges along a midline, the longest.
+    for n in [10, 100, 400] {
+        let cells = of(Adjusted, Face::Back, n);
+        let off = |length: f64| (length * side() / (PI / 2.0) - 1.0).abs();
+        let (edge, n) = (off(cells.edge().max()), f64::from(n));
+        let span = maximum(off(cells.span().min()), off(cells.span().max()));
+        println!("{n}: edge {:.1e} n, span {:.1e} n²", edge / n, span / (n * n));
+        assert!(edge < n * 2e-15 && span < n * n * 1e-16, "{edge:e} {span:e}");
+    }
+}
+
+#[test]
 fn areas_add_up_and_every_cell_has_its_measures() {
     for &projection in Projection::ALL {
         for n in [1, 2, 5, 62, 63] {
