@@ -68,7 +68,7 @@ fn grounds<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
     });
     visitor.visit::<T, _, _>(function("Survey::face_where"), Arguments::face, |face| {
         let mut survey = Survey::new(Ground::fair_texel(&ground));
-        Survey::face_where(&mut survey, &ground, face, 3, |normal| normal.x() > T::ZERO);
+        Survey::face_where(&mut survey, &ground, face, 3, |normal| normal.x() > normal.y());
         (
             [*Survey::scale(&survey), *Survey::isotropy(&survey)],
             *Survey::area(&survey),
