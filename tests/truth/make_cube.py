@@ -239,6 +239,20 @@ def balanced():
     return newton_forward(inverse), inverse
 
 
+def even():
+    """u = x (1 + (1 - x^2) P(x^2, y^2)), v likewise."""
+    coefficients = {(0, 0): -2766, (0, 1): 340, (0, 2): -1908, (0, 3): 4685, (0, 4): -1989, (1, 0): -954,
+                    (1, 3): 235, (2, 1): -2125, (2, 2): 1374, (5, 0): -137}
+
+    def half(x, y):
+        return x * (1 + (1 - x * x) * sum(mpf(c) / 10000 * x ** (2 * i) * y ** (2 * j) for (i, j), c in coefficients.items()))
+
+    def inverse(x, y):
+        return half(x, y), half(y, x), ONE
+
+    return newton_forward(inverse), inverse
+
+
 def square():
     b02, z20, z21 = mpf("-0.14466724146108473"), mpf("-0.04735555476289911"), mpf("0.12576117646754637")
 
@@ -430,6 +444,7 @@ MAPS = {
                             "top and bottom v = tan(pi y / 4)", hybrid_equi_angular),
     "cobe-refit": ("Zucker & Higashi's refit of COBE's cube, decimal coefficients taken exactly; forward by Newton iteration",
                    cobe_refit),
+    "even": ("Even cube, decimal coefficients taken exactly; forward by Newton iteration", even),
     "conformal": ("Conformal cube (Rancic, Purser & Mesinger), series of 320 terms about the nearest corner; "
                   "inverse by Newton iteration", conformal),
 }

@@ -49,4 +49,5 @@ projections! {
     arvo::Arvo,
     hybrid_equi_angular::HybridEquiAngular,
     cobe_refit::CobeRefit,
+    even::Even,
 }
