@@ -141,6 +141,9 @@ fn methods_are_shown() {
 fn creases_are_where_they_should_be() {
     let [balanced, vertex, quadrilateralized] =
         [Projection::Balanced, Projection::Vertex, Projection::Quadrilateralized].map(measure::Measures::of);
+    for smooth in [Projection::Even, Projection::Creaseless].map(measure::Measures::of) {
+        assert!(smooth.inner_bend() < 0.1, "{}", smooth.inner_bend());
+    }
     assert!(balanced.inner_bend() < 0.1, "balanced is smooth inside a face");
     assert!(
         vertex.inner_bend() < 5.0 && vertex.kinks.edges().max() < 0.1,

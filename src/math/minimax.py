@@ -9,7 +9,7 @@ leading term, so that this rounding stays far below half an ulp of the result.
 Needs mpmath only.
 """
 
-from mpmath import mp, mpf, mpc, pi, sqrt, sin, cos, tan, atan, atanh, exp, log, factorial, matrix, lu_solve, chebyt
+from mpmath import mp, mpf, mpc, pi, sqrt, sin, cos, tan, asin, atan, atanh, exp, log, factorial, fdot, matrix, lu_solve, chebyt
 import struct
 
 mp.dps = 60
@@ -93,6 +93,90 @@ def unicube(x):
     return s / sqrt(mpf(1) / 2 - s * s)
 
 
+# The creaseless cube: see src/cube/projection/creaseless.rs. Its one function w(x) solves a differential equation of
+# the first order, by collocation: w = x·Σ cₖTₖ(2x² − 1) with w(1) = 1.
+class Creaseless:
+    def __init__(self, degree=44):
+        n = degree
+        h = mpf(10) ** (-mp.dps // 2)
+        squares = [(1 - cos(pi * (2 * j + 1) / (2 * n))) / 2 for j in range(n)]
+        rows = [(sqrt(z), z, *self.basis(n, z)) for z in squares]
+        first, third = sqrt(pi / 6), mpf("0.0484")
+        c = matrix([(1 + first) / 2 - third / 8, (1 - first) / 2, third / 8] + [0] * (n - 2))
+        for _ in range(20):
+            a, b = matrix(n + 1, n + 1), matrix(n + 1, 1)
+            for j, (x, z, t, dt) in enumerate(rows):
+                value, slope = fdot(c, t), fdot(c, dt)
+                w, dw = x * value, value + 2 * z * slope
+                rest = self.residual(x, w, dw)
+                by_w = (self.residual(x, w + h, dw) - rest) / h
+                by_dw = (self.residual(x, w, dw + h) - rest) / h
+                b[j] = -rest
+                for k in range(n + 1):
+                    a[j, k] = by_w * x * t[k] + by_dw * (t[k] + 2 * z * dt[k])
+            for k in range(n + 1):
+                a[n, k] = 1
+            b[n] = 1 - sum(c)
+            change = lu_solve(a, b)
+            c += change
+            if max(abs(v) for v in change) < mpf(10) ** (15 - mp.dps):
+                break
+        self.c = list(c)
+
+    @staticmethod
+    def basis(n, z):
+        """Chebyshev's polynomials of 2z − 1, and their derivatives by z."""
+        s = 2 * z - 1
+        t, dt = [mpf(1), s], [mpf(0), mpf(2)]
+        for _ in range(n - 1):
+            dt.append(4 * t[-1] + 2 * s * dt[-1] - dt[-2])
+            t.append(2 * s * t[-1] - t[-2])
+        return t, dt
+
+    @staticmethod
+    def excess(x, w):
+        """The area of the triangle (0, 0), (w, 0), (w, w) of the sphere, less that of (0, 0), (x, 0), (x, x)."""
+        return pi / 4 - asin(1 / sqrt(2 * (1 + w * w))) - pi / 12 * x * x
+
+    def residual(self, x, w, dw):
+        """The slope of a curve at the diagonal, as its area demands, less the slope without a crease."""
+        q = 1 + 2 * w * w
+        along = q ** mpf("1.5") * pi / 6
+        r = (dw * dw - along) / (dw * dw + along)
+        bend = (1 + w * w) * (1 + w * w * (1 - r)) / q ** mpf("1.5")
+        return (3 * self.excess(x, w) * q / (w * w) * bend - r) / (x * x)
+
+    def diagonal(self, z):
+        """w/x and dw/dx at x² = z."""
+        t, dt = self.basis(len(self.c) - 1, z)
+        value = fdot(self.c, t)
+        return value, value + 2 * z * fdot(self.c, dt)
+
+    def stretch(self, z):
+        return self.diagonal(z)[0]
+
+    def bow(self, z):
+        """κ/(x(1 − x²)w²): how far in longitude a curve's end is from its middle."""
+        x = sqrt(z)
+        w = x * self.stretch(z)
+        return mpf(3) / 2 * self.excess(x, w) * sqrt(1 + 2 * w * w) / w**3 / (x * (1 - z))
+
+    def cubic(self, z):
+        """τ/x²."""
+        x = sqrt(z)
+        value, dw = self.diagonal(z)
+        w = x * value
+        q = 1 + 2 * w * w
+        area = (w / sqrt(q) * dw / (1 + w * w) - pi / 6 * x) / 2
+        return 6 / pi * (area - mpf(3) / 2 * self.excess(x, w) * dw / (w * q)) / (x * z)
+
+
+def less_one(f):
+    """(f(z) − 1)/(1 − z)."""
+    return lambda z: (f(z) - 1) / (1 - z)
+
+
+CREASELESS = Creaseless()
 QUARTER = (pi / 4 * mpf("1.0001")) ** 2
 HALF_LN_2 = log(mpf(2)) / 2 * mpf("1.0001")
 ENTRIES = [
@@ -124,6 +208,9 @@ ENTRIES = [
     ("POWER_IM", "Im c(k) = (1 + k)·p(k), |k| ≤ 1", lambda k: conformal_power(k).imag / (1 + k), -1, 1, lambda k: 1 + k),
     ("ROOT_RE", "Re (1 + it)^(4/3) = 1 + t²·p(t²), 0 ≤ t ≤ 1: the conformal map toward the sphere", lambda z: (conformal_root(sqrt(z)).real - 1) / z, 0, 1, lambda z: z),
     ("ROOT_IM", "Im (1 + it)^(4/3) = t·p(t²), 0 ≤ t ≤ 1", lambda z: conformal_root(sqrt(z)).imag / sqrt(z), 0, 1, sqrt),
+    ("CREASELESS_W", "w/x = 1 + (1 − z)·p(z), z = x² ≤ 1: the diagonal of the creaseless cube", less_one(CREASELESS.stretch), 0, 1, lambda z: 1 - z),
+    ("CREASELESS_BOW", "κ = x(1 − z)w²·p(z): the bow of its curves", CREASELESS.bow, 0, 1, lambda z: z * (1 - z)),
+    ("CREASELESS_CUBIC", "τ = z·p(z): the place on a curve", CREASELESS.cubic, 0, 1, lambda z: z),
 ]
 
 

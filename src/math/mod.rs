@@ -50,9 +50,9 @@ pub(crate) use hypot::{grown, grown_square, hypot, shrunk_root, shrunk_square};
 pub(crate) use interleave::{gathered, spread};
 pub use log2::log2;
 pub(crate) use minimax::{
-    ADJUSTED_U, ADJUSTED_X, EQUI_EDGE_U, EQUI_EDGE_X, LAMBERS_U, LAMBERS_X, POWER_IM, POWER_RE, QUAD_COS, QUAD_M,
-    QUAD_SIN, ROOT_IM, ROOT_RE, SEPARABLE_U, SEPARABLE_X, TANH_U, TANH_X, UNICUBE_U, UNICUBE_X, VERTEX_T, VERTEX_TAU,
-    ZUCKER_HIGASHI_U, ZUCKER_HIGASHI_X,
+    ADJUSTED_U, ADJUSTED_X, CREASELESS_BOW, CREASELESS_CUBIC, CREASELESS_W, EQUI_EDGE_U, EQUI_EDGE_X, LAMBERS_U,
+    LAMBERS_X, POWER_IM, POWER_RE, QUAD_COS, QUAD_M, QUAD_SIN, ROOT_IM, ROOT_RE, SEPARABLE_U, SEPARABLE_X, TANH_U,
+    TANH_X, UNICUBE_U, UNICUBE_X, VERTEX_T, VERTEX_TAU, ZUCKER_HIGASHI_U, ZUCKER_HIGASHI_X,
 };
 pub(crate) use polynomial::{halves, odd_unit};
 pub use sin_cos::{sin_cos, sin_cos_degrees};

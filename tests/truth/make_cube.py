@@ -253,6 +253,94 @@ def even():
     return newton_forward(inverse), inverse
 
 
+def creaseless():
+    """In |y| <= x: the line of constant x is phi = f(x) + k(x) z^2 in longitude phi and height z (of Y), dx dy is
+    6/pi of the area dphi dz, and the diagonal u = v = w(x) is crossed without a crease. So
+    k z^3 2/3 = E(w) - pi x^2/12 at the diagonal, E the area of (0, 0), (w, 0), (w, w), and w solves a differential
+    equation of the first order: collocation with 64 Chebyshev polynomials of x^2, to 1e-50."""
+    with mp.workdps(80):
+        n, h = 64, mpf(10) ** -40
+
+        def excess(x, w):
+            return mp.pi / 4 - mp.asin(1 / mp.sqrt(2 * (1 + w * w))) - mp.pi * x * x / 12
+
+        def residual(x, w, dw):
+            q = 1 + 2 * w * w
+            z = w / mp.sqrt(q)
+            # du = a ds along the diagonal and g across it, a g = q^(3/2) pi/6; the line's slope is (a - g)/(a + g).
+            g = q ** mpf("1.5") * mp.pi / 6 / dw
+            r = (dw - g) / (dw + g)
+            dphi, dz = r / (1 + w * w), (1 + w * w - w * w * r) / q ** mpf("1.5")
+            return (3 * excess(x, w) / (z * z) * dz - dphi) / (x * x)
+
+        def basis(X):
+            t, d = [ONE, 2 * X - 1], [mpf(0), mpf(2)]
+            for _ in range(n - 1):
+                d.append(4 * t[-1] + 2 * (2 * X - 1) * d[-1] - d[-2])
+                t.append(2 * (2 * X - 1) * t[-1] - t[-2])
+            return t, d
+
+        rows = [((1 - mp.cos(mp.pi * (2 * j + 1) / (2 * n))) / 2) for j in range(n)]
+        rows = [(mp.sqrt(X), X, *basis(X)) for X in rows]
+        c0 = mp.sqrt(mp.pi / 6)
+        c = mp.matrix([(1 + c0) / 2, (1 - c0) / 2] + [0] * (n - 1))
+        for _ in range(9):
+            a, b = mp.matrix(n + 1, n + 1), mp.matrix(n + 1, 1)
+            for j, (x, X, t, d) in enumerate(rows):
+                o, do = mp.fdot(c, t), mp.fdot(c, d)
+                w, dw = x * o, o + 2 * X * do
+                rest = residual(x, w, dw)
+                by_w, by_dw = (residual(x, w + h, dw) - rest) / h, (residual(x, w, dw + h) - rest) / h
+                b[j] = -rest
+                for k in range(n + 1):
+                    a[j, k] = by_w * x * t[k] + by_dw * (t[k] + 2 * X * d[k])
+            for k in range(n + 1):
+                a[n, k] = 1
+            b[n] = 1 - sum(c)
+            step = mp.lu_solve(a, b)
+            c += step
+            if max(abs(v) for v in step) < mpf(10) ** -60:
+                break
+        else:
+            raise ArithmeticError("no convergence")
+
+    def octant(x, y):
+        if x == 0:
+            return mpf(0), mpf(0), ONE
+        t, d = basis(x * x)
+        o, do = mp.fdot(c, t), mp.fdot(c, d)
+        w, dw = x * o, o + 2 * x * x * do
+        if x == 1:
+            w = ONE
+        q = 1 + 2 * w * w
+        end, dend = w / mp.sqrt(q), dw / q ** mpf("1.5")
+        k = excess(x, w) * 3 / (2 * end ** 3) if x != 1 else mpf(0)
+        darea = end * dw / (1 + w * w) - mp.pi * x / 6  # of the excess, by x
+        dk = darea * 3 / (2 * end ** 3) - 3 * k * dend / end
+        # f' end + k' end^3/3 = pi/6 x: f' without the difference f = phi - k end^2.
+        df = (mp.pi / 6 * x - dk * end ** 3 / 3) / end
+        z = end * y / x
+        for _ in range(40):
+            step = (df * z + dk * z ** 3 / 3 - mp.pi / 6 * y) / (df + dk * z * z)
+            z -= step
+            if abs(step) <= abs(z) * mpf(10) ** -110:
+                break
+        # tan phi = tan(phi_d - k (end^2 - z^2))
+        s = mp.tan(k * (end * end - z * z)) if abs(y) != x else mpf(0)
+        u = (w - s) / (1 + w * s)
+        v = z * mp.sqrt((1 + u * u) / (1 - z * z)) if abs(y) != x else (w if y > 0 else -w)
+        return u, v, ONE
+
+    def inverse(x, y):
+        steep = abs(y) > abs(x)
+        major, minor = (y, x) if steep else (x, y)
+        u, v, _ = octant(abs(major), minor)
+        u = -u if major < 0 else u
+        return (v, u, ONE) if steep else (u, v, ONE)
+
+    return newton_forward(inverse), inverse
+
+
 def square():
     b02, z20, z21 = mpf("-0.14466724146108473"), mpf("-0.04735555476289911"), mpf("0.12576117646754637")
 
@@ -445,6 +533,7 @@ MAPS = {
     "cobe-refit": ("Zucker & Higashi's refit of COBE's cube, decimal coefficients taken exactly; forward by Newton iteration",
                    cobe_refit),
     "even": ("Even cube, decimal coefficients taken exactly; forward by Newton iteration", even),
+    "creaseless": ("Creaseless equal-area cube; forward by Newton iteration", creaseless),
     "conformal": ("Conformal cube (Rancic, Purser & Mesinger), series of 320 terms about the nearest corner; "
                   "inverse by Newton iteration", conformal),
 }

@@ -23,7 +23,7 @@ projection! {
         deformation: 31.1,
         forward: Iteration, error [2.4e-16, 1.3e-7], instructions [400, 290];
         inverse: Algebraic, error [2.7e-16, 1.5e-7], instructions [80, 78];
-        tiles: smooth(1.06, 2.2),
+        tiles: smooth(1.06, 2.24),
     }
 }
 

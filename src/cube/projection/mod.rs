@@ -50,4 +50,5 @@ projections! {
     hybrid_equi_angular::HybridEquiAngular,
     cobe_refit::CobeRefit,
     even::Even,
+    creaseless::Creaseless,
 }

@@ -11,7 +11,7 @@ use super::decay::Decay;
 /// assert_eq!(Balanced::PROFILE.oversize, 1.405);
 /// let of_equal_area = Projection::ALL.iter().filter(|p| p.profile().keeps == Some(Kept::Areas));
 /// let names: Vec<_> = of_equal_area.map(|p| p.name()).collect();
-/// assert_eq!(names, ["quadrilateralized", "healpix", "vertex", "arvo"]);
+/// assert_eq!(names, ["quadrilateralized", "healpix", "vertex", "arvo", "creaseless"]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
