@@ -70,7 +70,8 @@ impl<T: Real, P: CubeProjection> Kernel<[T; 3]> for Project<P> {
     type Output = (T, [T; 2]);
 
     #[inline(always)]
-    fn apply(&self, [x, y, z]: [T; 3]) -> (T, [T; 2]) {
+    fn apply(&self, vector: [T; 3]) -> (T, [T; 2]) {
+        let [x, y, z] = self.0.to_cube(vector);
         let facing = FaceMask::toward(self.0.is_polar(Direction::within(x, y, z)), [x, y, z]);
         let number = facing.number();
         let local = facing.to_local([x, y, z]);
@@ -86,7 +87,8 @@ impl<T: Real, P: CubeProjection> Kernel<Point<T>> for Unproject<P> {
 
     #[inline(always)]
     fn apply(&self, (point, number): Point<T>) -> [T; 3] {
-        FaceMask::of(number).to_earth(self.0.inverse(Face::of_number(number), point))
+        let local = self.0.inverse(Face::of_number(number), point);
+        self.0.to_earth(FaceMask::of(number).to_earth(local))
     }
 }
 

@@ -3,6 +3,7 @@
 //! * [`CubeMap`] converts geodetic latitude and longitude on an ellipsoid to a [`FacePoint`], and back.
 //! * Each projection is a type that implements [`CubeProjection`]; its page says when to take it.
 //!   [`Projection`] is the list of them, to choose one at run time, and [`Profile`] holds their figures.
+//! * [`Turned`] and [`Stretched`] are cubes that face other places, and that are finer around one of them.
 //! * [`Numbering`] converts to the faces and axes of S2, OpenGL and FITS.
 //!
 //! If you have no reason for another, take [`Balanced`] for the least texture memory, [`Vertex`] for equal
@@ -12,11 +13,13 @@ mod face;
 mod face_point;
 mod map;
 mod numbering;
+mod orientation;
 mod projection;
 
 pub use face::{Corner, Edge, Face, InvalidFace, Neighbour, UnknownFace};
 pub use face_point::{FacePoint, InvalidFacePoint};
 pub use map::CubeMap;
 pub use numbering::{InvalidNumbered, Numbering};
+pub use orientation::{InvalidRotation, InvalidStretch, Rotation, Stretched, Turned};
 pub use projection::*;
 pub(crate) use projection::{Decay, on_face};

@@ -67,7 +67,8 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     #[doc(alias = "derivative")]
     #[doc(alias = "automatic differentiation")]
     pub fn jacobian(&self, point: FacePoint<T>) -> Result<Jacobian<T>, Singular<T>> {
-        let direction = direction(self.map.projection(), point.face(), [point.x(), point.y()]);
+        let variables = Dual::variables([point.x(), point.y()]);
+        let direction = self.map.projection().vector(point.face(), variables);
         let [_, correction] = self.lifted.corrections();
         let jacobian = jacobian(self.lifted.ellipsoid(), &correction, direction);
         if is_regular(jacobian.area()) {
@@ -95,8 +96,7 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     #[must_use]
     pub fn differences(&self, face: Face, [x, y]: [T; 2], step: T) -> Jacobian<T> {
         let normal = |x: T, y: T| {
-            let local = self.map.projection().inverse(face, [x, y]);
-            let [x, y, z] = face.to_earth(local);
+            let [x, y, z] = self.map.projection().vector(face, [x, y]);
             self.map.shifted().normal(Direction::within(x, y, z))
         };
         let place = |x: T, y: T| self.ellipsoid().foot(normal(x, y));
@@ -124,16 +124,6 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     pub fn central_texel(&self) -> T {
         self.differences(Face::Front, [T::ZERO; 2], T::pick(1e-6, 1e-3)).sides()
     }
-}
-
-/// The direction of a point of a face, with its derivatives.
-#[inline(always)]
-pub(super) fn direction<T, P>(projection: P, face: Face, point: [T; 2]) -> [Dual<T, 2>; 3]
-where
-    T: Real,
-    P: CubeProjection,
-{
-    face.to_earth(projection.inverse(face, Dual::variables(point)))
 }
 
 /// The derivative of the ground at a direction; it may be singular.

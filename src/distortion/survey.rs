@@ -1,4 +1,4 @@
-use super::ground::{direction, jacobian};
+use super::ground::jacobian;
 use super::jacobian::is_regular;
 use super::{Ground, Jacobian, Statistic};
 use crate::cube::{CubeProjection, Face, FacePoint, ProjectionTask};
@@ -335,7 +335,7 @@ impl<T: Real, P: CubeProjection> Kernel<[T; 2]> for ToDirection<P> {
 
     #[inline(always)]
     fn apply(&self, point: [T; 2]) -> [T; 9] {
-        let [x, y, z] = direction(self.projection, self.face, point);
+        let [x, y, z] = self.projection.vector(self.face, Dual::variables(point));
         let ([xx, xy], [yx, yy], [zx, zy]) = (x.slopes(), y.slopes(), z.slopes());
         [x.value(), xx, xy, y.value(), yx, yy, z.value(), zx, zy]
     }

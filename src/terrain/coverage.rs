@@ -10,7 +10,8 @@ pub(super) const BOUNDARY: [[u32; 2]; 8] = [[0, 0], [1, 0], [2, 0], [2, 1], [2, 
 
 impl<T: Real, P: CubeProjection> Enclosure<T, P> {
     /// Returns an estimate of the number of pixels that the ground of a tile covers, including those beyond
-    /// the sides of the picture. Returns infinity if the tile is partly behind the eye.
+    /// the sides of the picture. Returns infinity if the tile is partly behind the eye, or so wide that it is seen from
+    /// several sides: a coarse tile of a stretched cube.
     ///
     /// The estimate is the area within the tile's edges at the middle of its heights, plus the outline of a
     /// relief of two fifths of their range: half of the sum of four walls along the edges, since a line of
@@ -45,6 +46,9 @@ impl<T: Real, P: CubeProjection> Enclosure<T, P> {
     #[doc(alias = "geometric error")]
     #[must_use]
     pub fn coverage(&self, camera: &Camera<T>, tile: Tile, heights: Heights<T>) -> T {
+        if self.is_wide(tile) {
+            return T::of(f64::INFINITY);
+        }
         let slab = Slab::new(&self.of(tile, heights), camera, camera.point());
         self.covered(camera, tile, heights, &slab)
     }

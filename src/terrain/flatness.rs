@@ -34,12 +34,14 @@ impl<P: CubeProjection> Patches<P> {
     /// The bounds are therefore measured at the level itself. The tiles tried are those next to a face's
     /// centre, edges and corners, and at eighths of the way, in a quarter of the front and of the top. The
     /// result is the largest value at 7 × 7 points of each, times 1.25 for the points and tiles between, plus
-    /// 4 ulps of the planet's radius for rounding. This assumes a projection whose
-    /// faces are symmetric about their midlines, and alike around the equator; all projections of this crate
-    /// are such (`tests/terrain/patch.rs` searches for tiles that are worse). At levels 0 to 22 the result is at most twice
-    /// the true maximum; at finer levels rounding begins to exceed the displacement.
+    /// 4 ulps of the planet's radius for rounding. This assumes a projection whose faces are symmetric about
+    /// their midlines, and alike around the equator; all projections of this crate are such
+    /// (`tests/terrain/patch.rs` searches for tiles that are worse). At levels 0 to 22 the result is at most
+    /// twice the true maximum; at finer levels rounding begins to exceed the displacement. Of a cube that is
+    /// [turned](crate::cube::Turned) or [stretched](crate::cube::Stretched), such tiles of all quarters of all
+    /// faces are tried.
     ///
-    /// A call takes about a millisecond: make it when a map is loaded, not in every frame.
+    /// A call takes about a millisecond, or twenty: make it when a map is loaded, not in every frame.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Quadrilateralized, Tangential};
@@ -59,7 +61,7 @@ impl<P: CubeProjection> Patches<P> {
     #[must_use]
     pub fn flatness(&self, level: u8) -> Flatness {
         let mut worst = [0.0; 2];
-        for tile in witnesses(level) {
+        for tile in witnesses::<P>(level) {
             for (worst, found) in worst.iter_mut().zip(self.bulge(tile)) {
                 *worst = max(*worst, found);
             }
@@ -183,7 +185,7 @@ impl<P: CubeProjection> Patches<P> {
 }
 
 /// Tiles of a level among which is the worst one, or nearly the worst.
-pub(super) fn witnesses(level: u8) -> impl Iterator<Item = Tile> {
+pub(super) fn witnesses<P: CubeProjection>(level: u8) -> impl Iterator<Item = Tile> {
     let level = level.min(Tile::MAX_LEVEL);
     let last = (1_u32 << level) - 1;
     let half = (1_u32 << level) / 2;
@@ -191,14 +193,23 @@ pub(super) fn witnesses(level: u8) -> impl Iterator<Item = Tile> {
         0..3 => half + place,
         3..6 => (last + 3).saturating_sub(place),
         // Eighths of the way to the edge.
-        _ => half + (u64::from(half) * u64::from(place - 5) / 8) as u32,
+        6..13 => half + (u64::from(half) * u64::from(place - 5) / 8) as u32,
+        // If the cube is stretched, what is worst may be nearer to the centre.
+        _ => half + (u64::from(half) * u64::from(2 * place - 25) / 32) as u32,
     };
     let index = move |place| near(place).clamp(half.min(last), last);
     // At coarse levels many are the same.
     let first = move |&place: &u32| (0..place).all(|before| index(before) != index(place));
-    let indices = move || (0..13).filter(first).map(index);
+    let (places, faces, mirrors): (_, &[Face], &[bool]) = if P::SYMMETRIC {
+        (13, &[Face::Front, Face::Top], &[false])
+    } else {
+        (17, &Face::ALL, &[false, true])
+    };
+    let quarter = move || (0..places).filter(first).map(index);
+    let mirrored = move |&mirror: &bool| quarter().map(move |index| if mirror { last - index } else { index });
+    let indices = move || mirrors.iter().flat_map(mirrored);
     let row = move |face, j| indices().map(move |i| Tile::within(face, level, i, j));
-    [Face::Front, Face::Top]
-        .into_iter()
-        .flat_map(move |face| indices().flat_map(move |j| row(face, j)))
+    faces
+        .iter()
+        .flat_map(move |&face| indices().flat_map(move |j| row(face, j)))
 }

@@ -35,9 +35,8 @@ impl<T: Real, P: CubeProjection> Footprint<T, P> {
     /// Ground above the eye is treated as seen from below; its area is negative, like that of all ground in a
     /// mirrored picture.
     pub(super) fn at(&self, point: FacePoint<T>, horizon: &Horizon<T>) -> Option<[[T; 2]; 2]> {
-        let face = point.face();
         let variables = Dual::variables([point.x(), point.y()]);
-        let [x, y, z] = face.to_earth(self.projection.inverse(face, variables));
+        let [x, y, z] = self.projection.vector(point.face(), variables);
         let normal = self.lifted.normal(Direction::within(x, y, z));
         let ground = along(self.lifted.ellipsoid().foot(normal), self.height, normal.to_array());
         let [x, y, z] = ground.map(Dual::value);

@@ -322,8 +322,7 @@ impl<P: CubeProjection> Kernel<[f64; 2]> for ToDirection<P> {
     fn apply(&self, [m, n]: [f64; 2]) -> [f64; 3] {
         let [x, y] = self.low;
         let point = [(x + 2.0 * m) / self.across, (y + 2.0 * n) / self.across];
-        let face = self.tile.face();
-        face.to_earth(self.projection.inverse(face, point))
+        self.projection.vector(self.tile.face(), point)
     }
 }
 

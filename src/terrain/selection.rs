@@ -202,6 +202,9 @@ impl<'a, T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> Selection<'a,
     /// Whether a visible tile is too coarse.
     #[inline]
     fn is_coarse(&self, tile: Tile, heights: Heights<T>, bounds: &OrientedBox<T>) -> bool {
+        if self.enclosure.is_wide(tile) {
+            return true;
+        }
         let slab = Slab::new(bounds, &self.camera, self.centre);
         if self.detail.anisotropy == T::ZERO {
             return self.enclosure.covered(&self.camera, tile, heights, &slab) > self.most;

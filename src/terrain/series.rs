@@ -128,7 +128,7 @@ impl<P: CubeProjection> Patches<P> {
     pub fn truncation(&self, level: u8) -> f64 {
         const PARTS: u32 = 4;
         let mut most = 0.0;
-        for tile in witnesses(level) {
+        for tile in witnesses::<P>(level) {
             let (anchor, coefficients) = self.expansion(tile, 0.0);
             for n in 0..=PARTS {
                 for m in 0..=PARTS {
@@ -151,9 +151,7 @@ impl<P: CubeProjection> Patches<P> {
         let middle = tile.centre::<f64>();
         let shifted = self.map().shifted().map(Second::from_plain);
         let point: [Second; 2] = Dual::variables(Dual::variables([middle.x(), middle.y()]));
-        let [x, y, z] = tile
-            .face()
-            .to_earth(self.map().projection().inverse(tile.face(), point));
+        let [x, y, z] = self.map().projection().vector(tile.face(), point);
         let normal = shifted.normal(Direction::within(x, y, z));
         let lifted = along(shifted.ellipsoid().foot(normal), Second::of(height), normal.to_array());
 

@@ -8,6 +8,7 @@ mod edges;
 mod faces;
 mod neighbours;
 mod numbering;
+mod orientation;
 mod places;
 mod range;
 mod sample;

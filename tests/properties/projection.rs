@@ -1,7 +1,7 @@
 //! A projection of the sphere: where its coordinates and vectors lie, the way there and back, the truth, the cube's symmetries;
 //! and the same on an ellipsoid.
 
-use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Faces, Projection};
+use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Faces, Projection, Rotation, Stretched, Turned};
 use terrella::{Direction, Real, Shift};
 use testkit::maximum;
 use testkit::vector;
@@ -13,7 +13,7 @@ use testkit::scalar::{Scalar, same, ulps};
 use testkit::table::{claim, claims_of};
 use testkit::vector::{angle, apart, excess};
 
-properties! { forward inverse round_trip forward_is_true inverse_is_true symmetries ellipsoid grows }
+properties! { forward inverse round_trip forward_is_true inverse_is_true symmetries ellipsoid grows oblique }
 
 /// How far, in radians, a direction moves at most while x and y move by 1 each.
 const STEP: f64 = 1.8;
@@ -422,6 +422,53 @@ fn grows<T: Scalar>(bytes: &mut Bytes<'_>) {
             second >= first || ulps(first, second) <= 4.0,
             "{projection} {} {way}: {face:?} row {row:?}, {low:?} to {first:?}, {high:?} to {second:?}",
             T::NAME
+        );
+    }
+}
+
+/// On a cube that is turned and stretched a direction is where the plain cube has it, and comes back from there; every point is a
+/// unit vector.
+fn oblique<T: Scalar>(bytes: &mut Bytes<'_>) {
+    let projection = bytes.projection();
+    let (face, place) = (bytes.face(), bytes.place::<f64>());
+    let rotation = Rotation::facing(face, place.to_direction(), bytes.within(360.0)).unwrap();
+    let factor = (4.0 * bytes.even()).exp2();
+    let turned = Turned::new(projection, rotation);
+    let stretched = Turned::new(Stretched::new(projection, factor).unwrap(), rotation);
+    let direction = bytes.direction::<T>();
+    let context = || format!("{projection} {} {rotation:?} {factor}: {direction:?}", T::NAME);
+    let double = |direction: Direction<T>| direction.to_array().map(Into::into);
+
+    let point = turned.project(direction);
+    let moved = angle(double(direction), double(turned.unproject(point)));
+    let rounding = 4.0 * T::EPSILON.into();
+    assert!(moved <= closes::<T>(projection) + rounding, "{}: {moved:e}", context());
+    let [x, y, z] = turned.to_cube(direction.to_array());
+    if let Ok(on_cube) = Direction::new(x, y, z) {
+        assert_eq!(point.face(), turned.face(direction), "{}", context());
+        let moved = angle(
+            double(projection.unproject(projection.project(on_cube))),
+            double(projection.unproject(point)),
+        );
+        assert!(moved <= closes::<T>(projection) + rounding, "{}: {moved:e}", context());
+    }
+
+    // Where cells are wide, a step on the cube is a long one.
+    let wide = if factor > 1.0 { factor } else { 1.0 / factor };
+    let point = stretched.project(direction);
+    let back = stretched.unproject(point);
+    let moved = angle(double(direction), double(back));
+    let allowed = wide * (closes::<T>(projection) + rounding);
+    assert!(moved <= allowed, "{}: {moved:e} of {allowed:e}", context());
+    for vector in [
+        double(back),
+        double(turned.unproject(bytes.point())),
+        double(stretched.unproject(point)),
+    ] {
+        assert!(
+            excess(vector).abs() <= 14.0 * T::EPSILON.into(),
+            "{}: {vector:?}",
+            context()
         );
     }
 }

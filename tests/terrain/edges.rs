@@ -1,6 +1,8 @@
 //! Edges between tiles: identical bits from both sides at one level, and gaps no wider than stated between
 //! levels.
 
+use std::fmt::Debug;
+
 use fastrand::Rng;
 use terrella::cube::{Corner, CubeProjection, Edge, Face, Faces, Projection};
 use terrella::terrain::{Around, Base, Flatness, Heights, Patches, Tile};
@@ -38,7 +40,7 @@ fn backward(edge: Edge, turns: u8) -> bool {
 }
 
 /// A camera within some of a tile's sizes of it.
-fn camera(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile) -> Ecef<f64> {
+fn camera(rng: &mut Rng, patches: &Patches<impl CubeProjection>, tile: Tile) -> Ecef<f64> {
     let [a, _, c, _] = patches.of(tile, Base::default()).corners().map(Ecef::to_array);
     let size = length(minus(a, c));
     let [x, y, z] = a.map(|v| v + 4.0 * size * (rng.f64() - 0.5));
@@ -46,13 +48,18 @@ fn camera(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile) -> Ecef<f64>
 }
 
 /// Heights of a corner by its place: the same from all tiles.
-fn base(patches: &Patches<Projection>, tile: Tile) -> Base {
+fn base(patches: &Patches<impl CubeProjection>, tile: Tile) -> Base {
     let feet = patches.of(tile, Base::default()).corners().map(Ecef::to_array);
     Base::new(feet.map(|[x, y, z]| 4e3 * (1e-3 * x).sin() + 2e3 * (1e-4 * y).cos() + 5e3 * (1e-6 * z).sin())).unwrap()
 }
 
 /// Displacement, normal and vertex of a node: of what edges have to agree.
-fn node(patches: &Patches<Projection>, tile: Tile, samples: u32, eye: Ecef<f64>) -> impl Fn([u32; 2]) -> [[u32; 3]; 3] {
+fn node(
+    patches: &Patches<impl CubeProjection>,
+    tile: Tile,
+    samples: u32,
+    eye: Ecef<f64>,
+) -> impl Fn([u32; 2]) -> [[u32; 3]; 3] {
     let base = base(patches, tile);
     let [o, n] = lifted(patches, tile, base, samples);
     let seen = patches.of(tile, base).seen_from(eye);
@@ -63,7 +70,13 @@ fn node(patches: &Patches<Projection>, tile: Tile, samples: u32, eye: Ecef<f64>)
     }
 }
 
-fn edge_agrees(rng: &mut Rng, patches: &Patches<Projection>, tile: Tile, edge: Edge, samples: u32) {
+pub fn edge_agrees(
+    rng: &mut Rng,
+    patches: &Patches<impl CubeProjection + Debug>,
+    tile: Tile,
+    edge: Edge,
+    samples: u32,
+) {
     let last = samples - 1;
     let beyond = tile.neighbour(edge);
     if apart(patches.map().projection().faces(), tile, tile.neighbour(edge).tile) {
@@ -197,7 +210,7 @@ fn corners_have_the_same_bits_from_all_sides() {
 
 /// Vertices in double precision along an edge, on terrain of random heights.
 fn line(
-    patches: &Patches<Projection>,
+    patches: &Patches<impl CubeProjection>,
     tile: Tile,
     edge: Edge,
     samples: u32,
@@ -221,7 +234,14 @@ fn along(line: &[[f64; 3]], way: f64) -> [f64; 3] {
 }
 
 /// How far the finer tile's edge is from that of the coarser one, at the same parameter.
-fn gap(rng: &mut Rng, patches: &Patches<Projection>, level: u8, finer: u8, samples: u32, [low, high]: [f64; 2]) -> f64 {
+fn gap(
+    rng: &mut Rng,
+    patches: &Patches<impl CubeProjection>,
+    level: u8,
+    finer: u8,
+    samples: u32,
+    [low, high]: [f64; 2],
+) -> f64 {
     let tile = crate::sample::tile_of(rng, level);
     let edge = Edge::ALL[rng.usize(0..4)];
     if apart(patches.map().projection().faces(), tile, tile.neighbour(edge).tile) {

@@ -9,6 +9,7 @@ mod heights;
 mod horizon;
 mod keys;
 mod neighbours;
+mod oblique;
 mod patch;
 mod relative;
 mod reports;

@@ -24,12 +24,12 @@ pub fn mutable(columns: &mut Columns) -> [&mut [f32]; 3] {
 }
 
 /// Displacements and normals, on the ellipsoid.
-pub fn fill(patches: &Patches<Projection>, tile: Tile, samples: u32) -> [Columns; 2] {
+pub fn fill(patches: &Patches<impl CubeProjection>, tile: Tile, samples: u32) -> [Columns; 2] {
     lifted(patches, tile, Base::default(), samples)
 }
 
 /// Displacements and normals.
-pub fn lifted(patches: &Patches<Projection>, tile: Tile, base: Base, samples: u32) -> [Columns; 2] {
+pub fn lifted(patches: &Patches<impl CubeProjection>, tile: Tile, base: Base, samples: u32) -> [Columns; 2] {
     let mut both = [columns(samples), columns(samples)];
     let [o, n] = &mut both;
     patches.fill(tile, base, samples, mutable(o), mutable(n)).unwrap();
@@ -40,7 +40,7 @@ pub fn at(columns: &Columns, index: usize) -> [f32; 3] {
     columns.each_ref().map(|column| column[index])
 }
 
-pub fn map(ellipsoid: Ellipsoid<f64>, shift: Shift, projection: Projection) -> Patches<Projection> {
+pub fn map<P: CubeProjection>(ellipsoid: Ellipsoid<f64>, shift: Shift, projection: P) -> Patches<P> {
     Patches::new(CubeMap::new(ellipsoid, shift, projection).unwrap())
 }
 
@@ -322,7 +322,7 @@ fn representatives_are_their_own_and_as_many_as_counted() {
 }
 
 /// The largest displacement of a tile, and the largest difference of a normal from the interpolated one.
-fn bulge(patches: &Patches<Projection>, tile: Tile, parts: u32) -> [f64; 2] {
+fn bulge(patches: &Patches<impl CubeProjection>, tile: Tile, parts: u32) -> [f64; 2] {
     let samples = parts + 1;
     let mut most = [0.0_f64; 2];
     let [o, _] = fill(patches, tile, samples);
@@ -375,7 +375,7 @@ fn suspects(rng: &mut Rng, level: u8, count: u32) -> Vec<Tile> {
         .collect()
 }
 
-fn flat_enough(patches: &Patches<Projection>, level: u8, count: u32) -> [f64; 2] {
+pub fn flat_enough(patches: &Patches<impl CubeProjection>, level: u8, count: u32) -> [f64; 2] {
     let bound = patches.flatness(level);
     let mut most = [0.0_f64; 2];
     let mut rng = Rng::with_seed(level.into());

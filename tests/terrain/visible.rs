@@ -9,7 +9,7 @@ use std::collections::HashSet;
 use std::f64::consts::TAU;
 
 use fastrand::Rng;
-use terrella::cube::{Balanced, CubeMap, FacePoint};
+use terrella::cube::{Balanced, CubeMap, CubeProjection, FacePoint};
 use terrella::terrain::{Camera, Detail, Enclosure, Heights, Horizon, Selection, Tile};
 use terrella::{Ecef, Ellipsoid, Geodetic, LatLon, Shift};
 use testkit::{maximum, minimum, parallel};
@@ -37,16 +37,16 @@ struct Wave {
 }
 
 /// Mountains: two waves of each length from 30 km down to 100 m, all equally steep.
-struct Ground {
-    map: CubeMap<f64, Balanced>,
+struct Ground<P> {
+    map: CubeMap<f64, P>,
     mean: f64,
     waves: Vec<Wave>,
     /// Metres up per metre along, at most.
     steepest: f64,
 }
 
-impl Ground {
-    fn new(rng: &mut Rng) -> Self {
+impl<P: CubeProjection> Ground<P> {
+    fn new(rng: &mut Rng, projection: P) -> Self {
         let ellipsoid = [Ellipsoid::WGS84, Ellipsoid::MARS, Ellipsoid::MOON][rng.usize(0..3)];
         let slope = 0.7 * 10_f64.powf(1.5 * rng.f64() - 2.0);
         let lengths = (0..9).flat_map(|k| [30_000.0 * 0.5_f64.powi(k); 2]);
@@ -58,7 +58,7 @@ impl Ground {
             })
             .collect();
         Self {
-            map: CubeMap::new(ellipsoid, Shift::Authalic, Balanced).unwrap(),
+            map: CubeMap::new(ellipsoid, Shift::Authalic, projection).unwrap(),
             mean: 1000.0 * rng.f64(),
             steepest: slope * waves.len() as f64,
             waves,
@@ -164,7 +164,7 @@ fn linear([x, y, z, _]: [f64; 4]) -> Vector {
 
 impl View {
     /// From 2 m to 2 km above the bottom of a valley, about level, or from 100 m to 10 000 km, downward.
-    fn new(rng: &mut Rng, ground: &Ground, kind: Kind, low: bool) -> Self {
+    fn new(rng: &mut Rng, ground: &Ground<impl CubeProjection>, kind: Kind, low: bool) -> Self {
         let ellipsoid = ground.map.shifted().ellipsoid();
         let mut normal = somewhere(rng);
         for _ in 0..20 {
@@ -313,7 +313,7 @@ fn first_hit(
 }
 
 /// Whether a place is in one of the tiles and in one only.
-fn is_once(tiles: &HashSet<Tile>, map: &CubeMap<f64, Balanced>, place: LatLon<f64>) -> bool {
+fn is_once(tiles: &HashSet<Tile>, map: &CubeMap<f64, impl CubeProjection>, place: LatLon<f64>) -> bool {
     let point = map.project(place);
     let holds = |level: &u8| Tile::containing(point, *level).is_ok_and(|tile| tiles.contains(&tile));
     (0..=FINEST).filter(holds).count() == 1
@@ -328,9 +328,9 @@ fn detail() -> Detail<f64> {
 }
 
 /// One scene: how many places were visible.
-fn misses_none(seed: u64, kind: Kind, low: bool, rays: usize) -> usize {
+fn misses_none(projection: impl CubeProjection, seed: u64, kind: Kind, low: bool, rays: usize) -> usize {
     let mut rng = Rng::with_seed(seed);
-    let ground = Ground::new(&mut rng);
+    let ground = Ground::new(&mut rng, projection);
     let view = View::new(&mut rng, &ground, kind, low);
     let ellipsoid = ground.map.shifted().ellipsoid();
     let enclosure = Enclosure::new(ground.map);
@@ -369,7 +369,7 @@ fn misses_none(seed: u64, kind: Kind, low: bool, rays: usize) -> usize {
     visible
 }
 
-fn none_is_missed(scenes: u64, rays: usize) -> usize {
+pub fn none_is_missed(projection: impl CubeProjection + Sync, scenes: u64, rays: usize) -> usize {
     let all: Vec<_> = (0..scenes)
         .flat_map(|seed| {
             KINDS
@@ -377,27 +377,27 @@ fn none_is_missed(scenes: u64, rays: usize) -> usize {
                 .flat_map(move |&kind| [false, true].map(|low| (seed, kind, low)))
         })
         .collect();
-    let visible = parallel::map(all, |(seed, kind, low)| misses_none(seed, kind, low, rays));
+    let visible = parallel::map(all, |(seed, kind, low)| misses_none(projection, seed, kind, low, rays));
     visible.into_iter().sum()
 }
 
 #[test]
 fn no_visible_place_is_missed() {
-    let visible = none_is_missed(4, 25);
+    let visible = none_is_missed(Balanced, 4, 25);
     assert!(visible > 1_500, "{visible}");
 }
 
 #[test]
 #[ignore = "a million: cargo test --release --test terrain -- --ignored --nocapture a_million_visible_places"]
 fn a_million_visible_places() {
-    let visible = none_is_missed(120, 400);
+    let visible = none_is_missed(Balanced, 120, 400);
     println!("{visible} places seen, none missed");
     assert!(visible > 1_000_000, "{visible}");
 }
 
 /// The pixels of a tile's ground, and whether any of it is before the eye; infinitely many where only some
 /// is.
-fn pixels(ground: &Ground, view: &View, tile: Tile) -> (f64, bool) {
+fn pixels(ground: &Ground<impl CubeProjection>, view: &View, tile: Tile) -> (f64, bool) {
     const PARTS: u32 = 16;
     let point = |m, n| ground.point(tile.node([m, n], PARTS));
     let points: Vec<_> = (0..=PARTS)
@@ -428,7 +428,7 @@ fn pixels(ground: &Ground, view: &View, tile: Tile) -> (f64, bool) {
 
 /// How many tiles there are if each is split while its ground covers more pixels than the ratio times its
 /// samples.
-fn by_the_rule(ground: &Ground, view: &View) -> usize {
+fn by_the_rule(ground: &Ground<impl CubeProjection>, view: &View) -> usize {
     let enclosure = Enclosure::new(ground.map);
     let camera = view.camera();
     let roots = terrella::cube::Face::ALL.map(Tile::root);
@@ -454,7 +454,7 @@ fn by_the_rule(ground: &Ground, view: &View) -> usize {
 /// The number of tiles, and how many the rule asks for.
 fn counts(seed: u64, kind: Kind, low: bool) -> Option<[usize; 2]> {
     let mut rng = Rng::with_seed(seed);
-    let ground = Ground::new(&mut rng);
+    let ground = Ground::new(&mut rng, Balanced);
     let view = View::new(&mut rng, &ground, kind, low);
     // Parallel lines of sight that graze mountains meet one side of them only, whose tiles are split alone:
     // which side that is, a range of heights does not say.

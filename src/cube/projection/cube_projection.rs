@@ -51,8 +51,40 @@ pub trait CubeProjection: Copy {
         Faces::Alike
     }
 
-    /// Returns whether a direction lies on the top or the bottom face. The default is the cube's own faces:
-    /// where |z| is the largest component.
+    /// Whether symmetries of the ellipsoid map a quarter of the front or of the top face to each quarter of a
+    /// face. Then [`Patches::flatness`](crate::terrain::Patches::flatness) looks at these two quarters alone,
+    /// else at all.
+    const SYMMETRIC: bool = true;
+
+    /// How many times as much as on a plain cube the edges of tiles may bend: a bound for the boxes of
+    /// [`Enclosure`](crate::terrain::Enclosure). It is 1, unless the cube is
+    /// [`Stretched`](crate::cube::Stretched).
+    #[doc(hidden)]
+    #[must_use]
+    #[inline(always)]
+    fn bend<T: Real>(&self) -> T {
+        T::ONE
+    }
+
+    /// Returns the unit vector along the cube's axes, on which the faces are defined, from a unit vector along
+    /// Earth axes. The default is a cube whose axes are those of the Earth;
+    /// [`Turned`](crate::cube::Turned) and [`Stretched`](crate::cube::Stretched) give other ones.
+    #[must_use]
+    #[inline(always)]
+    fn to_cube<T: Real>(&self, vector: [T; 3]) -> [T; 3] {
+        vector
+    }
+
+    /// Returns the unit vector along Earth axes, from a unit vector along the cube's axes: the inverse of
+    /// [`to_cube`](Self::to_cube).
+    #[must_use]
+    #[inline(always)]
+    fn to_earth<T: Real>(&self, vector: [T; 3]) -> [T; 3] {
+        vector
+    }
+
+    /// Returns whether a direction along the cube's axes lies on the top or the bottom face. The default is
+    /// the cube's own faces: where |z| is the largest component.
     #[must_use]
     #[inline(always)]
     fn is_polar<T: Real>(&self, direction: Direction<T>) -> bool {
@@ -65,15 +97,19 @@ pub trait CubeProjection: Copy {
     #[must_use]
     #[inline(always)]
     fn face<T: Real>(&self, direction: Direction<T>) -> Face {
-        Face::of(self.is_polar(direction), direction)
+        let [x, y, z] = self.to_cube(direction.to_array());
+        let on_cube = Direction::within(x, y, z);
+        Face::of(self.is_polar(on_cube), on_cube)
     }
 
     /// Projects a direction to a point of the cube.
     #[must_use]
     #[inline(always)]
     fn project<T: Real>(&self, direction: Direction<T>) -> FacePoint<T> {
-        let face = self.face(direction);
-        let [x, y] = on_face(self.forward(face, face.to_local(direction.to_array())));
+        let [x, y, z] = self.to_cube(direction.to_array());
+        let on_cube = Direction::within(x, y, z);
+        let face = Face::of(self.is_polar(on_cube), on_cube);
+        let [x, y] = on_face(self.forward(face, face.to_local([x, y, z])));
         FacePoint::within(face, x, y)
     }
 
@@ -81,9 +117,16 @@ pub trait CubeProjection: Copy {
     #[must_use]
     #[inline(always)]
     fn unproject<T: Real>(&self, point: FacePoint<T>) -> Direction<T> {
-        let local = self.inverse(point.face(), [point.x(), point.y()]);
-        let [x, y, z] = point.face().to_earth(local);
+        let [x, y, z] = self.vector(point.face(), [point.x(), point.y()]);
         Direction::within(x, y, z)
+    }
+
+    /// Returns the unit vector along Earth axes, from (x, y) on a face: [`unproject`](Self::unproject) for
+    /// numbers with derivatives, or next to a face, where the formula goes on.
+    #[must_use]
+    #[inline(always)]
+    fn vector<T: Real>(&self, face: Face, point: [T; 2]) -> [T; 3] {
+        self.to_earth(face.to_earth(self.inverse(face, point)))
     }
 
     /// Whether the projection is computed from latitude and longitude alone. If so, a

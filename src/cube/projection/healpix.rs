@@ -17,7 +17,8 @@ projection! {
             arrangement is that of rHEALPix (Gibb, Raichev & Speth 2013; PROJ’s `rhealpix`) with one \
             difference: the side faces are centred on the longitudes 0°, 90°, 180° and 270° here, and on \
             45°, 135°, 225° and 315° in rHEALPix and in standard HEALPix. So a place has the coordinates \
-            here that the place 45° to its east has there.",
+            here that the place 45° to its east has there; [`Turned`](crate::cube::Turned) has an example of \
+            PROJ’s coordinates.",
         choose: "Take it for equal areas where rows of cells should follow parallels. Between latitude and \
             longitude and the cube, use a [`CubeMap`](crate::cube::CubeMap): it computes this projection \
             without unit vectors. [`Vertex`](super::Vertex) has equal areas with less distortion (ω 20.3° \

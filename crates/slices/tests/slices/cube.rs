@@ -1,7 +1,9 @@
 //! Cube projections and maps.
 
 use terrella::batch::{self, FaceNumber};
-use terrella::cube::{CubeMap, CubeProjection, Face, FacePoint, Healpix, Projection, QuadCube, Vertex};
+use terrella::cube::{
+    CubeMap, CubeProjection, Face, FacePoint, Healpix, Projection, QuadCube, Rotation, Stretched, Turned, Vertex,
+};
 use terrella::{Direction, Ellipsoid, LatLon, Real, Shift};
 
 use super::{Scalar, bytes, compare, directions, faces, number, places, points, store};
@@ -82,6 +84,11 @@ fn every_projection<T: Scalar>() {
     }
     map::<T, _, _>("gnomonic", Gnomonic, Shift::Authalic, faces);
     map::<T, _, _>("HEALPix", Healpix, Shift::Authalic, faces);
+    let rotation = Rotation::facing(Face::Left, LatLon::new(47.4, 8.5).unwrap().to_direction(), 33.0).unwrap();
+    let oblique = Turned::new(Stretched::new(Vertex, 2.5).unwrap(), rotation);
+    projection::<T, _, _>("oblique vertex", oblique, bytes);
+    map::<T, _, _>("oblique vertex", oblique, Shift::Authalic, bytes);
+    map::<T, _, _>("turned HEALPix", Turned::new(Healpix, rotation), Shift::Authalic, bytes);
 }
 
 #[test]
