@@ -14,6 +14,7 @@
 //! `write.rs` what can be written to them, `options.rs` the options.
 
 mod command;
+mod cube;
 mod lines;
 mod operation;
 mod options;

@@ -5,11 +5,12 @@ use std::str::FromStr;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use terrella::cube::{CubeMap, CubeProjection, Numbering, Projection};
+use terrella::cube::{CubeMap, Face, Numbering, Projection, Rotation, Stretched, Turned};
 use terrella::geodesic::{AnyMethod, Method};
 use terrella::healpix::OnEllipsoid;
 use terrella::{Ellipsoid, Geodetic, LatLon, Latitude, LocalFrame, NAMED, Shift};
 
+use crate::cube::Cube;
 use crate::operation::Failure;
 use crate::read::Number;
 
@@ -97,7 +98,32 @@ fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
 pub struct Sphere {
     /// The projection between sphere and cube.
     #[arg(long, value_name = "NAME", value_parser = projection())]
-    pub projection: Projection,
+    projection: Projection,
+
+    /// Where on the sphere the front face's centre is, and the azimuth of that face's y, in degrees.
+    #[arg(long, value_name = "LAT,LON,AZIMUTH", allow_hyphen_values = true, value_parser = numbers::<3>, conflicts_with = "top")]
+    front: Option<[f64; 3]>,
+
+    /// The same of the top face.
+    #[arg(long, value_name = "LAT,LON,AZIMUTH", allow_hyphen_values = true, value_parser = numbers::<3>)]
+    top: Option<[f64; 3]>,
+
+    /// How many times as fine the cube is at the top face's centre, and as coarse opposite (Schmidt).
+    #[arg(long, value_name = "FACTOR")]
+    stretch: Option<f64>,
+}
+
+impl Sphere {
+    pub fn cube(&self) -> Result<Cube, Failure> {
+        let place = (self.front.map(|place| (Face::Front, place))).or(self.top.map(|place| (Face::Top, place)));
+        if place.is_none() && self.stretch.is_none() {
+            return Ok(Cube::Plain(self.projection));
+        }
+        let (face, [lat, lon, azimuth]) = place.unwrap_or((Face::Front, [0.0; 3]));
+        let rotation = Rotation::facing(face, LatLon::new(lat, lon)?.to_direction(), azimuth)?;
+        let stretched = Stretched::new(self.projection, self.stretch.unwrap_or(1.0))?;
+        Ok(Cube::Oblique(Turned::new(stretched, rotation)))
+    }
 }
 
 /// A projection of the sphere, and other names of its faces.
@@ -170,12 +196,8 @@ pub struct Map {
 }
 
 impl Map {
-    pub fn map<T: Number>(&self) -> Result<CubeMap<T, impl CubeProjection + use<T>>, Failure> {
-        Ok(CubeMap::new(
-            self.planet.ellipsoid()?,
-            self.shift,
-            self.sphere.projection,
-        )?)
+    pub fn map<T: Number>(&self) -> Result<CubeMap<T, Cube>, Failure> {
+        Ok(CubeMap::new(self.planet.ellipsoid()?, self.shift, self.sphere.cube()?)?)
     }
 }
 

@@ -1,7 +1,8 @@
 use core::marker::PhantomData;
 
 use terrella::cube::{
-    Corner, CubeMap, CubeProjection, Edge, Face, FacePoint, Faces, Numbering, Projection, ProjectionTask, QuadCube,
+    Corner, CubeMap, CubeProjection, Edge, Face, FacePoint, Faces, Healpix, Numbering, Projection, ProjectionTask,
+    QuadCube, Rotation, Stretched, Tangential, Turned, Vertex,
 };
 use terrella::{Dual, Ellipsoid, Real, Shift};
 
@@ -15,6 +16,11 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     }
     ProjectionTask::run(One::<T, V>::new(visitor, "quad-cube"), QuadCube::COBE);
     maps::<T, V>(visitor);
+    if T::NAME == f64::NAME {
+        rotations(visitor);
+        stretches(visitor);
+    }
+    oblique::<T, V>(visitor);
 }
 
 /// One projection, by its own type.
@@ -129,6 +135,90 @@ fn maps<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("Projection, by name", any_name, |name| {
         name.parse().map(Projection::name).ok()
     });
+}
+
+/// Rotations are made in double precision, whatever they turn.
+fn rotations<V: Visitor>(visitor: &mut V) {
+    let angle = |arguments: &mut Arguments| arguments.unit::<f64>() * 360.0;
+    let matrix = |rotation: Rotation| Rotation::matrix(&rotation);
+    visitor.function::<f64, _, _>("Rotation::new", Arguments::units::<f64, 2>, |[tilt, twist]| {
+        let (sin, cos) = terrella::math::sin_cos_degrees(tilt * 90.0);
+        let rows = [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]];
+        let rough = [[cos, twist, 0.0], [-twist, cos, 0.0], [0.0, 0.0, 1.0]];
+        [rows, rough].map(|rows| Rotation::new(rows).map(matrix).map_err(|invalid| invalid.departure))
+    });
+    visitor.function::<f64, _, _>("Rotation::about_axis", angle, |angle| {
+        Rotation::about_axis(angle)
+            .map(matrix)
+            .map_err(|invalid| invalid.departure)
+    });
+    let placed = |arguments: &mut Arguments| {
+        let face = arguments.face();
+        (face, arguments.direction::<f64>(), arguments.unit::<f64>() * 360.0)
+    };
+    visitor.function::<f64, _, _>("Rotation::facing", placed, |(face, place, heading)| {
+        Rotation::facing(face, place, heading)
+            .map(matrix)
+            .map_err(|invalid| invalid.departure)
+    });
+    visitor.function::<f64, _, _>("Turned::new", angle, |angle| {
+        Rotation::about_axis(angle).ok().map(|rotation| {
+            let turned = Turned::new(Projection::Vertex, rotation);
+            let name = Projection::name(Turned::projection(&turned));
+            (name, matrix(Turned::rotation(&turned)))
+        })
+    });
+}
+
+fn stretches<V: Visitor>(visitor: &mut V) {
+    let factor = |arguments: &mut Arguments| arguments.unit::<f64>() * 20.0;
+    visitor.function::<f64, _, _>("Stretched::new", factor, |factor| {
+        Stretched::new(Projection::Vertex, factor)
+            .map(|stretched| {
+                let name = Projection::name(Stretched::projection(&stretched));
+                (name, Stretched::factor(&stretched))
+            })
+            .map_err(|invalid| invalid.0)
+    });
+}
+
+/// The rotation that brings X to Y, Y to Z and Z to X.
+const CYCLE: [[f64; 3]; 3] = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
+fn oblique<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let tilted = Rotation::new([[0.6, 0.0, -0.8], [0.0, 1.0, 0.0], [0.8, 0.0, 0.6]]);
+    let (Ok(cycle), Ok(tilted), Ok(stretched)) = (Rotation::new(CYCLE), tilted, Stretched::new(Tangential, 2.5)) else {
+        return;
+    };
+    ProjectionTask::run(
+        One::<T, V>::new(visitor, "healpix, turned"),
+        Turned::new(Healpix, cycle),
+    );
+    ProjectionTask::run(One::<T, V>::new(visitor, "vertex, turned"), Turned::new(Vertex, tilted));
+    ProjectionTask::run(One::<T, V>::new(visitor, "tangential, stretched"), stretched);
+    let turned = Turned::new(stretched, tilted);
+    visitor.function::<T, _, _>("CubeProjection::to_cube", Arguments::direction::<T>, |direction| {
+        let vector = CubeProjection::to_cube(&turned, direction.to_array());
+        (vector, CubeProjection::to_earth(&turned, vector))
+    });
+    visitor.function::<T, _, _>("CubeProjection::vector", Arguments::face_point::<T>, |point| {
+        CubeProjection::vector(&turned, point.face(), Dual::variables([point.x(), point.y()]))
+    });
+    visitor.function::<T, _, _>("CubeProjection::bend", Arguments::unit::<T>, |scale| {
+        scale * CubeProjection::bend::<T>(&turned)
+    });
+    if let Ok(map) = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, turned) {
+        visitor.visit::<T, _, _>(
+            Function::of("CubeMap::project", "oblique"),
+            Arguments::place::<T>,
+            |place| CubeMap::project(&map, place),
+        );
+        visitor.visit::<T, _, _>(
+            Function::of("CubeMap::unproject", "oblique"),
+            Arguments::face_point::<T>,
+            |point| CubeMap::unproject(&map, point),
+        );
+    }
 }
 
 fn faces<T: Scalar, V: Visitor>(visitor: &mut V) {

@@ -114,7 +114,7 @@ impl Rotation {
 
     /// The cube's axes, along Earth axes.
     #[inline(always)]
-    fn axes<T: Real>(&self) -> [[T; 3]; 3] {
+    fn axes<T: Real>(self) -> [[T; 3]; 3] {
         let vector = |[a, b, c]: [f64; 3], [d, e, f]: [f32; 3]| [T::pick(a, d), T::pick(b, e), T::pick(c, f)];
         let ([a, b, c], [d, e, f]) = (self.double, self.single);
         [vector(a, d), vector(b, e), vector(c, f)]
@@ -122,14 +122,14 @@ impl Rotation {
 
     /// A vector along Earth axes, as one along the cube's axes.
     #[inline(always)]
-    pub(super) fn to_cube<T: Real>(&self, [x, y, z]: [T; 3]) -> [T; 3] {
+    pub(super) fn to_cube<T: Real>(self, [x, y, z]: [T; 3]) -> [T; 3] {
         self.axes().map(|[a, b, c]: [T; 3]| a * x + b * y + c * z)
     }
 
     /// A vector along the cube's axes, as one along Earth axes: by the transposed matrix, which is the
     /// inverse.
     #[inline(always)]
-    pub(super) fn to_earth<T: Real>(&self, vector: [T; 3]) -> [T; 3] {
+    pub(super) fn to_earth<T: Real>(self, vector: [T; 3]) -> [T; 3] {
         combined(vector, self.axes())
     }
 }

@@ -84,11 +84,12 @@ impl<P: CubeProjection> Stretched<P> {
 
 /// Multiplies tan(½θ) of the distance θ from the south pole by `factor`, of which `inverse` is the reciprocal.
 ///
-/// With 1 + z and 1 − z times the two, Schmidt's formula has no difference of nearly equal numbers.
+/// With 1 + z and 1 − z times the two, Schmidt's formula has no difference of nearly equal numbers. Near a pole
+/// the smaller of them is what x and y say, for z has lost it; on the equator both are 1.
 #[inline(always)]
 fn stretched<T: Real>([x, y, z]: [T; 3], [factor, inverse]: [T; 2]) -> [T; 3] {
     let far = T::ONE + z.abs();
-    let near = (x * x + y * y) / far;
+    let near = select(z.abs() < T::of(0.5), T::ONE - z.abs(), (x * x + y * y) / far);
     let south = z < T::ZERO;
     let above = factor * select(south, near, far);
     let below = inverse * select(south, far, near);

@@ -27,18 +27,22 @@ fn unproject<T: Number>(map: Map) -> Result<Answer, Failure> {
     answer(move |point: FacePoint<T>| Ok(map.unproject(point)))
 }
 
-fn forward<T: Number>(Sphere { projection }: Sphere) -> Result<Answer, Failure> {
+fn forward<T: Number>(sphere: Sphere) -> Result<Answer, Failure> {
+    let projection = sphere.cube()?;
     answer(move |direction: Direction<T>| Ok(projection.project(direction)))
 }
 
-fn inverse<T: Number>(Sphere { projection }: Sphere) -> Result<Answer, Failure> {
+fn inverse<T: Number>(sphere: Sphere) -> Result<Answer, Failure> {
+    let projection = sphere.cube()?;
     answer(move |point: FacePoint<T>| Ok(projection.unproject(point)))
 }
 
 fn numbered<T: Number>(Numbered { numbering, sphere }: Numbered) -> Result<Answer, Failure> {
-    answer(move |direction: Direction<T>| Ok(numbering.to_point(sphere.projection.project(direction))))
+    let projection = sphere.cube()?;
+    answer(move |direction: Direction<T>| Ok(numbering.to_point(projection.project(direction))))
 }
 
 fn from_numbered<T: Number>(Numbered { numbering, sphere }: Numbered) -> Result<Answer, Failure> {
-    answer(move |(face, [u, v]): (u8, [T; 2])| Ok(sphere.projection.unproject(numbering.from_point(face, u, v)?)))
+    let projection = sphere.cube()?;
+    answer(move |(face, [u, v]): (u8, [T; 2])| Ok(projection.unproject(numbering.from_point(face, u, v)?)))
 }

@@ -104,3 +104,37 @@ fn ties_go_to_y_then_z_then_x() {
         "1\t-1.0\t1.0\n3\t1.0\t0.5\n4\t0.5\t-1.0\n"
     );
 }
+
+/// A cube that is turned and stretched: the face's centre is where it was put, and the way there and back closes.
+#[test]
+fn oblique_cubes_close_their_round_trip() {
+    let centre = |options: &str| {
+        let options = format!("--projection balanced {options}");
+        numbers(&answers(&format!("project {options} --shift geodetic"), "47.5 8.25\n"))[0].clone()
+    };
+    for (options, face) in [
+        ("--front 47.5,8.25,30", 0.0),
+        ("--top 47.5,8.25,-100", 4.0),
+        ("--top=47.5,8.25,0 --stretch 5", 4.0),
+    ] {
+        let found = centre(options);
+        assert_eq!(found[0], face, "{options}: {found:?}");
+        assert!(found[1].abs() < 1e-15 && found[2].abs() < 1e-15, "{options}: {found:?}");
+
+        let directions: Vec<_> = directions().collect();
+        let on_cube = answers(
+            &format!("forward --projection balanced {options}"),
+            text(directions.iter().copied()),
+        );
+        let back = numbers(&answers(&format!("inverse --projection balanced {options}"), on_cube));
+        for (&direction, back) in directions.iter().zip(back) {
+            let expected = unit(direction);
+            let miss = (0..3).map(|i| (back[i] - expected[i]).powi(2)).sum::<f64>().sqrt();
+            assert!(miss <= 5e-15, "{options}: {direction:?} comes back as {back:?}");
+        }
+    }
+    assert_eq!(
+        answers("forward --projection square --stretch 1", "1 0.5 0\n"),
+        answers("forward --projection square", "1 0.5 0\n")
+    );
+}
