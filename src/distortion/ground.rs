@@ -81,7 +81,7 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     /// The outward normal at a point of a face, and the derivatives of the place by x and by y, in Earth axes.
     pub(super) fn slopes(&self, face: Face, point: [T; 2]) -> ([T; 3], [[T; 3]; 2]) {
         let [_, correction] = self.lifted.corrections();
-        let direction = direction(self.map.projection(), face, point);
+        let direction = self.map.projection().vector(face, Dual::variables(point));
         tangents(self.lifted.ellipsoid(), &correction, direction)
     }
 

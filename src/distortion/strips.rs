@@ -117,7 +117,7 @@ impl<'a, T: Real, P: CubeProjection> Strips<'a, T, P> {
     /// Puts the centre beyond an edge in its place.
     fn replace(&self, strip: &mut Strip<T>, index: usize, edge: Edge, y: T) {
         let (face, [x, y]) = across(self.face, edge, along(edge, y, self.half));
-        let [x, y, z] = face.to_earth(self.projection.inverse(face, [x, y]));
+        let [x, y, z] = self.projection.vector(face, [x, y]);
         let normal = self.shifted.normal(Direction::within(x, y, z));
         let place = self.shifted.ellipsoid().foot(normal).map(|metres| metres * self.scale);
         for (column, value) in strip.iter_mut().zip(place) {
@@ -175,7 +175,7 @@ impl<T: Real, P: CubeProjection> Kernel<[T; 2]> for ToDirection<P> {
 
     #[inline(always)]
     fn apply(&self, point: [T; 2]) -> [T; 3] {
-        self.face.to_earth(self.projection.inverse(self.face, point))
+        self.projection.vector(self.face, point)
     }
 }
 
