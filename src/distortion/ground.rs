@@ -57,7 +57,7 @@ impl<T: Real, P: CubeProjection> Ground<T, P> {
     /// computed with dual numbers.
     ///
     /// On a crease (the diagonals of the quadrilateralized cube's faces) it is the derivative on one of the
-    /// two sides. Slopes are within 2e-15 (`f64`) or 5e-7 (`f32`) of the longest slope; areas have a relative
+    /// two sides. Slopes are within 2.2e-15 (`f64`) or 5e-7 (`f32`) of the longest slope; areas have a relative
     /// error of at most 3e-15 or 8e-7.
     ///
     /// # Errors

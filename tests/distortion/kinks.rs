@@ -1,6 +1,6 @@
 //! Kinks of the creased maps, of smooth ones at the corner, and of faces that fit.
 
-use terrella::cube::{Face, Projection};
+use terrella::cube::{CubeProjection, Face, Projection};
 use terrella::distortion::Kinks;
 use terrella::{Ellipsoid, Shift};
 use testkit::maximum;
@@ -60,10 +60,11 @@ fn a_kink_is_the_same_from_both_sides_and_on_every_edge() {
             kinks.face(&ground, face, 64);
             kinks
         });
-        let sides = &each[..4];
-        for kinks in sides {
+        // Where x and y differ on the polar faces, opposite faces alone are alike.
+        let step = if projection.faces().are_square(Face::Top) { 1 } else { 2 };
+        for side in 0..4 - step {
             assert!(
-                (kinks.edges().mean() - sides[0].edges().mean()).abs() < 1e-10,
+                (each[side].edges().mean() - each[side + step].edges().mean()).abs() < 1e-10,
                 "{projection}"
             );
         }

@@ -22,7 +22,6 @@ const PRINTED: &[(Projection, Face, Printed)] = &[
     (Projection::Healpix, Face::Front, [[1.0, 0.0, 0.0], [1.154525, 0.523132, 0.191135]]),
     (Projection::Healpix, Face::Top, [[1.0, 0.000006, 0.0], [1.766790, 1.418039, 0.827905]]),
     (Projection::Algebraic, Face::Front, [[1.001953, 0.116811, 0.044405], [1.271493, 0.728100, 0.326997]]),
-    (Projection::Everitt, Face::Front, [[1.007078, 0.270518, 0.085747], [1.252272, 0.728451, 0.291174]]),
     (Projection::ZuckerHigashi, Face::Front, [[1.001627, 0.142623, 0.041086], [1.289972, 0.728087, 0.345093]]),
     (Projection::Lambers, Face::Front, [[1.001642, 0.138457, 0.040970], [1.294925, 0.728052, 0.351370]]),
     (Projection::Tanh, Face::Front, [[1.003143, 0.119493, 0.055287], [1.256950, 0.728093, 0.313848]]),

@@ -33,7 +33,18 @@ projection! {
 /// (α + (1 − α)x² + (1 − x²)((a + by² + cx²)x² + (d + ey²)y²))x of the paper, in COBE's form.
 const fn refit([alpha, a, b, c, d, e]: [f64; 6]) -> QuadCube {
     QuadCube(Polynomial::rounded([
-        alpha, d + e + b, d + e, a + c, -e, 0.0, 0.0, 0.0, 0.0, 0.0, c, 0.0,
+        alpha,
+        d + e + b,
+        d + e,
+        a + c,
+        -e,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c,
+        0.0,
     ]))
 }
 

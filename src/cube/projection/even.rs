@@ -14,7 +14,8 @@ projection! {
         origin: "Made for terrella. The least area ratio of a published polynomial is 1.023 (Zucker & Higashi \
             2018).",
         choose: "Take it where areas have to be nearly equal and lines must not bend. For exactly equal areas \
-            take [`Vertex`](super::Vertex), which has creases. For the least texture memory take \
+            take [`Creaseless`](super::Creaseless), at three times the cost to the sphere, or \
+            [`Vertex`](super::Vertex), which has creases. For the least texture memory take \
             [`Balanced`](super::Balanced) (texture oversize 1.405 instead of 2.298).",
         keeps: None,
         area_ratio: 1.001,
