@@ -1,4 +1,4 @@
-use terrella::cube::{CubeMap, Projection};
+use terrella::cube::{CubeMap, Projection, Vertex};
 use terrella::distortion::{Cells, Ground, Jacobian, Kinks, Statistic, Survey, Tissot, texture};
 use terrella::{Ellipsoid, Shift};
 
@@ -8,6 +8,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     for &projection in Projection::ALL {
         grounds::<T, V>(visitor, projection);
     }
+    cells::<T, V>(visitor);
     let jacobian = |arguments: &mut Arguments| Jacobian {
         by_x: arguments.units::<T, 2>(),
         by_y: arguments.units(),
@@ -66,40 +67,7 @@ fn grounds<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
         Survey::face(&mut survey, &ground, face, 3);
         survey
     });
-    visitor.visit::<T, _, _>(function("Survey::face_where"), Arguments::face, |face| {
-        let mut survey = Survey::new(Ground::fair_texel(&ground));
-        Survey::face_where(&mut survey, &ground, face, 3, |normal| normal.x() > normal.y());
-        (
-            [*Survey::scale(&survey), *Survey::isotropy(&survey)],
-            *Survey::area(&survey),
-            Survey::skipped(&survey),
-        )
-    });
-    visitor.visit::<T, _, _>(function("Cells::face"), Arguments::face, |face| {
-        let mut cells = Cells::new();
-        Cells::face(&mut cells, &ground, face, 3);
-        cells
-    });
-    visitor.visit::<T, _, _>(function("Kinks::face"), Arguments::face, |face| {
-        let mut kinks = Kinks::new();
-        Kinks::face(&mut kinks, &ground, face, 2);
-        kinks
-    });
     if projection == Projection::Vertex {
-        visitor.visit::<T, _, _>(function("Cells::sphere"), Arguments::face, |face| {
-            let (mut one, mut other) = (Cells::new(), Cells::new());
-            Cells::sphere(&mut one, &ground, 2);
-            Cells::face(&mut other, &ground, face, 1);
-            Cells::merge(&mut one, &other);
-            one
-        });
-        visitor.visit::<T, _, _>(function("Kinks::sphere"), Arguments::face, |face| {
-            let (mut one, mut other) = (Kinks::new(), Kinks::new());
-            Kinks::sphere(&mut one, &ground, 2);
-            Kinks::face(&mut other, &ground, face, 1);
-            Kinks::merge(&mut one, &other);
-            one
-        });
         visitor.visit::<T, _, _>(function("Survey::sphere"), Arguments::face_point::<T>, |point| {
             let (mut one, mut other) = (Survey::new(T::of(3e13)), Survey::new(T::of(3e13)));
             Survey::sphere(&mut one, &ground, 1);
@@ -110,4 +78,36 @@ fn grounds<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
             one
         });
     }
+}
+
+/// Of one projection, by its own type: each more would be compiled for every set of instructions.
+fn cells<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let Ok(map) = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, Vertex) else {
+        return;
+    };
+    let ground = Ground::new(map);
+    let function = |what| Function::of(what, "vertex").calls(1);
+    visitor.visit::<T, _, _>(function("Survey::face_where"), Arguments::face, |face| {
+        let mut survey = Survey::new(Ground::fair_texel(&ground));
+        Survey::face_where(&mut survey, &ground, face, 3, |normal| normal.x() > normal.y());
+        (
+            [*Survey::scale(&survey), *Survey::isotropy(&survey)],
+            *Survey::area(&survey),
+            Survey::skipped(&survey),
+        )
+    });
+    visitor.visit::<T, _, _>(function("Cells::sphere"), Arguments::face, |face| {
+        let (mut one, mut other) = (Cells::new(), Cells::new());
+        Cells::sphere(&mut one, &ground, 2);
+        Cells::face(&mut other, &ground, face, 3);
+        Cells::merge(&mut one, &other);
+        one
+    });
+    visitor.visit::<T, _, _>(function("Kinks::sphere"), Arguments::face, |face| {
+        let (mut one, mut other) = (Kinks::new(), Kinks::new());
+        Kinks::sphere(&mut one, &ground, 2);
+        Kinks::face(&mut other, &ground, face, 2);
+        Kinks::merge(&mut one, &other);
+        one
+    });
 }
