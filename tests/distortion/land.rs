@@ -62,7 +62,7 @@ fn the_latitude_is_geodetic() {
                 assert!((normal.to_lat_lon().lat() - expected.lat()).abs() < 1e-13, "{shift}");
                 let apart = (normal.to_lat_lon().lon() - expected.lon()).abs() % 360.0;
                 assert!(
-                    apart.min(360.0 - apart) * normal.to_lat_lon().lat().to_radians().cos() < 1e-13,
+                    testkit::minimum(apart, 360.0 - apart) * normal.to_lat_lon().lat().to_radians().cos() < 1e-13,
                     "{shift}"
                 );
             }

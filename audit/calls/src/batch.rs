@@ -3,7 +3,7 @@ use core::convert::Infallible;
 use terrella::batch::{
     self, InvalidBatch, area::InvalidRing, cube::InvalidPoint, ellipsoid::InvalidGeodetic, geodesic::InvalidProblem,
 };
-use terrella::cube::{CubeMap, Face, Projection};
+use terrella::cube::{Adjusted, Balanced, CubeMap, CubeProjection, Face, Healpix, Vertex};
 use terrella::geodesic::{Area, Geodesic, GreatCircle, Karney, Method, PlanarArea, Vincenty};
 use terrella::latitude::Conversion;
 use terrella::scene::{Order, Scene, Surface, View};
@@ -273,33 +273,39 @@ fn latitudes<T: Scalar, V: Visitor>(visitor: &mut V) {
     }
 }
 
+/// Each more would be compiled for every set of instructions: these are one from polynomials, one by places, one with
+/// steps of Newton's method, one with creases. All are hashed one by one.
 fn cubes<T: Scalar, V: Visitor>(visitor: &mut V) {
-    for &projection in Projection::ALL {
-        let name = Projection::name(projection);
-        visitor.visit::<T, _, _>(function("batch::cube::project", name), vectors::<T>, |vectors| {
-            let mut faces = [Face::Front; POINTS];
-            let points = into(|points| batch::cube::project(projection, lent(&vectors), &mut faces, points));
-            (faces, points)
-        });
-        visitor.visit::<T, _, _>(
-            function("batch::cube::unproject", name),
-            face_points::<T>,
-            |(faces, points)| into(|vectors| batch::cube::unproject(projection, &faces, lent(&points), vectors)),
-        );
-        let Ok(map) = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection) else {
-            continue;
-        };
-        visitor.visit::<T, _, _>(function("batch::map::project", name), places::<T>, |places| {
-            let mut faces = [Face::Front; POINTS];
-            let points = into(|points| batch::map::project(&map, lent(&places), &mut faces, points));
-            (faces, points)
-        });
-        visitor.visit::<T, _, _>(
-            function("batch::map::unproject", name),
-            face_points::<T>,
-            |(faces, points)| into(|places| batch::map::unproject(&map, &faces, lent(&points), places)),
-        );
-    }
+    cube::<T, V, _>(visitor, Adjusted, "adjusted");
+    cube::<T, V, _>(visitor, Healpix, "healpix");
+    cube::<T, V, _>(visitor, Balanced, "balanced");
+    cube::<T, V, _>(visitor, Vertex, "vertex");
+}
+
+fn cube<T: Scalar, V: Visitor, P: CubeProjection>(visitor: &mut V, projection: P, name: &'static str) {
+    visitor.visit::<T, _, _>(function("batch::cube::project", name), vectors::<T>, |vectors| {
+        let mut faces = [Face::Front; POINTS];
+        let points = into(|points| batch::cube::project(projection, lent(&vectors), &mut faces, points));
+        (faces, points)
+    });
+    visitor.visit::<T, _, _>(
+        function("batch::cube::unproject", name),
+        face_points::<T>,
+        |(faces, points)| into(|vectors| batch::cube::unproject(projection, &faces, lent(&points), vectors)),
+    );
+    let Ok(map) = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection) else {
+        return;
+    };
+    visitor.visit::<T, _, _>(function("batch::map::project", name), places::<T>, |places| {
+        let mut faces = [Face::Front; POINTS];
+        let points = into(|points| batch::map::project(&map, lent(&places), &mut faces, points));
+        (faces, points)
+    });
+    visitor.visit::<T, _, _>(
+        function("batch::map::unproject", name),
+        face_points::<T>,
+        |(faces, points)| into(|places| batch::map::unproject(&map, &faces, lent(&points), places)),
+    );
 }
 
 fn geodesics<T: Scalar, V: Visitor, M: Geodesic<T>>(visitor: &mut V, method: &M, name: &'static str) {

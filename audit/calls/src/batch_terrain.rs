@@ -1,5 +1,5 @@
 use terrella::batch::{self, terrain::InvalidTiled};
-use terrella::cube::{CubeMap, Face, Projection};
+use terrella::cube::{Balanced, CubeMap, Face, S2Quadratic};
 use terrella::terrain::{Curve, Hilbert, Morton, Tile};
 use terrella::{Ellipsoid, Shift};
 
@@ -48,7 +48,7 @@ fn tiles<T: Scalar, V: Visitor, C: Curve>(visitor: &mut V, name: &'static str) {
             (faces, levels, squares, outcome)
         });
     }
-    let Ok(map) = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Projection::S2Quadratic) else {
+    let Ok(map) = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, S2Quadratic) else {
         return;
     };
     let levels = |arguments: &mut Arguments| arguments.below(32) as u8;
@@ -66,8 +66,7 @@ fn tiles<T: Scalar, V: Visitor, C: Curve>(visitor: &mut V, name: &'static str) {
         |arguments| (levels(arguments), vectors::<T>(arguments)),
         |(level, vectors)| {
             let mut keys = [0; POINTS];
-            let projection = Projection::S2Quadratic;
-            let outcome = batch::terrain::directions_to_key::<C, _, _>(projection, level, lent(&vectors), &mut keys);
+            let outcome = batch::terrain::directions_to_key::<C, _, _>(S2Quadratic, level, lent(&vectors), &mut keys);
             (keys, outcome)
         },
     );
@@ -84,7 +83,7 @@ fn samples<T: Scalar, V: Visitor>(visitor: &mut V) {
             (squares, outcome)
         },
     );
-    let Ok(map) = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, Projection::Balanced) else {
+    let Ok(map) = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, Balanced) else {
         return;
     };
     let tile = |arguments: &mut Arguments| loop {
@@ -102,7 +101,7 @@ fn samples<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.visit::<T, _, _>(function("batch::terrain::sample_directions", ""), tile, |tile| {
         let mut columns = [[T::ZERO; 144]; 3];
         let [x, y, z] = &mut columns;
-        let outcome = batch::terrain::sample_directions(Projection::Balanced, tile, 12, [x, y, z]);
+        let outcome = batch::terrain::sample_directions(Balanced, tile, 12, [x, y, z]);
         (columns, outcome)
     });
 }

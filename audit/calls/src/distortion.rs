@@ -8,7 +8,7 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     for &projection in Projection::ALL {
         grounds::<T, V>(visitor, projection);
     }
-    cells::<T, V>(visitor);
+    surveys::<T, V>(visitor);
     let jacobian = |arguments: &mut Arguments| Jacobian {
         by_x: arguments.units::<T, 2>(),
         by_y: arguments.units(),
@@ -61,32 +61,29 @@ fn grounds<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
             [Ground::ellipsoid(&ground), earth],
         )
     });
-    let function = |what| name(what).calls(1);
-    visitor.visit::<T, _, _>(function("Survey::face"), Arguments::face, |face| {
-        let mut survey = Survey::new(T::of(3e13));
-        Survey::face(&mut survey, &ground, face, 3);
-        survey
-    });
-    if projection == Projection::Vertex {
-        visitor.visit::<T, _, _>(function("Survey::sphere"), Arguments::face_point::<T>, |point| {
-            let (mut one, mut other) = (Survey::new(T::of(3e13)), Survey::new(T::of(3e13)));
-            Survey::sphere(&mut one, &ground, 1);
-            if let Ok(texel) = Ground::jacobian(&ground, point) {
-                Survey::include(&mut other, point, &texel);
-            }
-            Survey::merge(&mut one, &other);
-            one
-        });
-    }
 }
 
 /// Of one projection, by its own type: each more would be compiled for every set of instructions.
-fn cells<T: Scalar, V: Visitor>(visitor: &mut V) {
+fn surveys<T: Scalar, V: Visitor>(visitor: &mut V) {
     let Ok(map) = CubeMap::new(Ellipsoid::<T>::WGS84, Shift::Authalic, Vertex) else {
         return;
     };
     let ground = Ground::new(map);
     let function = |what| Function::of(what, "vertex").calls(1);
+    visitor.visit::<T, _, _>(function("Survey::face"), Arguments::face, |face| {
+        let mut survey = Survey::new(T::of(3e13));
+        Survey::face(&mut survey, &ground, face, 3);
+        survey
+    });
+    visitor.visit::<T, _, _>(function("Survey::sphere"), Arguments::face_point::<T>, |point| {
+        let (mut one, mut other) = (Survey::new(T::of(3e13)), Survey::new(T::of(3e13)));
+        Survey::sphere(&mut one, &ground, 1);
+        if let Ok(texel) = Ground::jacobian(&ground, point) {
+            Survey::include(&mut other, point, &texel);
+        }
+        Survey::merge(&mut one, &other);
+        one
+    });
     visitor.visit::<T, _, _>(function("Survey::face_where"), Arguments::face, |face| {
         let mut survey = Survey::new(Ground::fair_texel(&ground));
         Survey::face_where(&mut survey, &ground, face, 3, |normal| normal.x() > normal.y());

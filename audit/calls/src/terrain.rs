@@ -1,4 +1,4 @@
-use terrella::cube::{Corner, CubeMap, Edge, FacePoint, Numbering, Projection};
+use terrella::cube::{Balanced, Corner, CubeMap, CubeProjection, Edge, FacePoint, Healpix, Numbering, Vertex};
 use terrella::terrain::{
     self, Adjacent, Along, Around, Base, BoundingSphere, Camera, Curve, Detail, Diagonal, Enclosure, Flatness, Heights,
     Hilbert, Horizon, InvalidBase, InvalidCamera, InvalidDetail, InvalidHeights, InvalidKey, InvalidNumberedTile,
@@ -25,17 +25,15 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     keys::<T, V, Hilbert>(visitor, "Hilbert");
     numbered::<T, V>(visitor);
     heights::<T, V>(visitor);
-    for &projection in Projection::ALL {
-        boxes::<T, V>(visitor, projection);
-    }
+    boxes::<T, V, _>(visitor, Vertex, "vertex");
+    boxes::<T, V, _>(visitor, Healpix, "healpix");
     views::<T, V>(visitor);
     // Patches are made in double precision, whatever they are drawn in.
     if T::NAME == f64::NAME {
         symmetries(visitor);
         bases(visitor);
-        for &projection in Projection::ALL {
-            patches(visitor, projection);
-        }
+        patches(visitor, Vertex, "vertex");
+        patches(visitor, Healpix, "healpix");
         splits(visitor);
         s2_cells(visitor);
     }
@@ -154,10 +152,12 @@ fn numbered<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("Tile::around_nearest", draw, |(tile, level)| {
         Tile::around_nearest(tile, level)
     });
-    for &projection in Projection::ALL {
-        let name = Function::of("Tile::solid_angle", Projection::name(projection));
-        visitor.visit::<T, _, _>(name, draw, |(tile, _)| Tile::solid_angle::<T>(tile, projection));
-    }
+    visitor.visit::<T, _, _>(Function::of("Tile::solid_angle", "vertex"), draw, |(tile, _)| {
+        Tile::solid_angle::<T>(tile, Vertex)
+    });
+    visitor.visit::<T, _, _>(Function::of("Tile::solid_angle", "balanced"), draw, |(tile, _)| {
+        Tile::solid_angle::<T>(tile, Balanced)
+    });
 }
 
 fn s2_cells<V: Visitor>(visitor: &mut V) {
@@ -191,20 +191,20 @@ fn hills<T: Scalar>() -> Heights<T> {
 }
 
 /// The boxes of an Earth.
-fn enclosure<T: Scalar>(projection: Projection) -> Option<Enclosure<T, Projection>> {
+fn enclosure<T: Scalar, P: CubeProjection>(projection: P) -> Option<Enclosure<T, P>> {
     let map = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection).ok()?;
     Some(Enclosure::new(map))
 }
 
-fn boxes<T: Scalar, V: Visitor>(visitor: &mut V, projection: Projection) {
-    let Some(enclosure) = enclosure::<T>(projection) else {
+fn boxes<T: Scalar, V: Visitor, P: CubeProjection>(visitor: &mut V, projection: P, of: &'static str) {
+    let Some(enclosure) = enclosure::<T, P>(projection) else {
         return;
     };
-    let name = |function| Function::of(function, Projection::name(projection));
+    let name = |function| Function::of(function, of);
     visitor.visit::<T, _, _>(name("Enclosure::of"), tile::<T>, |tile| {
         Enclosure::of(&enclosure, tile, hills())
     });
-    if projection == Projection::Vertex {
+    if of == "vertex" {
         visitor.visit::<T, _, _>(name("Enclosure::new"), Arguments::ellipsoid::<T>, |ellipsoid| {
             let map = CubeMap::new(ellipsoid, Shift::Authalic, projection);
             map.map(|map| {
@@ -278,7 +278,7 @@ fn views<T: Scalar, V: Visitor>(visitor: &mut V) {
             levels.map(|detail| detail.and_then(|detail| Detail::anisotropic(detail, most)).map(|_| ())),
         )
     });
-    let Some(enclosure) = enclosure::<T>(Projection::Vertex) else {
+    let Some(enclosure) = enclosure::<T, _>(Vertex) else {
         return;
     };
     let draw = |arguments: &mut Arguments| (arguments.direction::<T>(), tile::<T>(arguments));
@@ -359,12 +359,12 @@ fn bases<V: Visitor>(visitor: &mut V) {
     });
 }
 
-fn patches<V: Visitor>(visitor: &mut V, projection: Projection) {
+fn patches<V: Visitor, P: CubeProjection>(visitor: &mut V, projection: P, of: &'static str) {
     let Ok(map) = CubeMap::new(Ellipsoid::WGS84, Shift::Authalic, projection) else {
         return;
     };
     let patches = Patches::new(map);
-    let name = |function| Function::of(function, Projection::name(projection));
+    let name = |function| Function::of(function, of);
     let draw = |arguments: &mut Arguments| (tile::<f64>(arguments), base(arguments));
     visitor.visit::<f64, _, _>(name("Patches::fill").calls(32), draw, |(tile, base)| {
         let (mut displacements, mut normals) = (EMPTY, EMPTY);
@@ -389,7 +389,7 @@ fn patches<V: Visitor>(visitor: &mut V, projection: Projection) {
         let series = Patches::series(&patches, tile, base);
         series.map(|series| (series, Series::origin(&series, camera), Series::offset(&series, place)))
     });
-    if projection != Projection::Vertex {
+    if of != "vertex" {
         return;
     }
     visitor.visit::<f64, _, _>(name("Patches::of"), draw, |((tile, base), camera, place)| {
