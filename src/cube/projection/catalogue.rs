@@ -5,7 +5,7 @@ use crate::name::by_name;
 
 /// Declares a module for each projection of a list, and [`Projection`] with its functions.
 macro_rules! projections {
-    ($($module:ident::$variant:ident,)*) => {
+    ($($(#[$attribute:meta])* $module:ident::$variant:ident,)*) => {
         $(
             mod $module;
             pub use $module::$variant;
@@ -30,6 +30,7 @@ macro_rules! projections {
         pub enum Projection {
             $(
                 #[doc = concat!("[`", stringify!($variant), "`](struct@", stringify!($variant), ").")]
+                $(#[$attribute])*
                 $variant,
             )*
         }

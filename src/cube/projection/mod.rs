@@ -42,6 +42,7 @@ projections! {
     everitt::Everitt,
     zucker_higashi::ZuckerHigashi,
     lambers::Lambers,
+    #[cfg_attr(feature = "serde", serde(rename = "polynomial-5"))]
     polynomial_5::Polynomial5,
     tanh::Tanh,
     unicube::Unicube,
