@@ -182,14 +182,24 @@ fn stretches<V: Visitor>(visitor: &mut V) {
     });
 }
 
+/// A rotation that the compiler makes: it takes double precision.
+const fn rotation(rows: [[f64; 3]; 3]) -> Rotation {
+    match Rotation::new(rows) {
+        Ok(rotation) => rotation,
+        Err(_) => unreachable!(),
+    }
+}
+
 /// The rotation that brings X to Y, Y to Z and Z to X.
-const CYCLE: [[f64; 3]; 3] = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+const CYCLE: Rotation = rotation([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+const TILTED: Rotation = rotation([[0.6, 0.0, -0.8], [0.0, 1.0, 0.0], [0.8, 0.0, 0.6]]);
+const STRETCHED: Stretched<Tangential> = match Stretched::new(Tangential, 2.5) {
+    Ok(stretched) => stretched,
+    Err(_) => unreachable!(),
+};
 
 fn oblique<T: Scalar, V: Visitor>(visitor: &mut V) {
-    let tilted = Rotation::new([[0.6, 0.0, -0.8], [0.0, 1.0, 0.0], [0.8, 0.0, 0.6]]);
-    let (Ok(cycle), Ok(tilted), Ok(stretched)) = (Rotation::new(CYCLE), tilted, Stretched::new(Tangential, 2.5)) else {
-        return;
-    };
+    let (cycle, tilted, stretched) = (CYCLE, TILTED, STRETCHED);
     ProjectionTask::run(
         One::<T, V>::new(visitor, "healpix, turned"),
         Turned::new(Healpix, cycle),
