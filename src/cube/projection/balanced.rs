@@ -1,6 +1,6 @@
 use super::decay::smooth;
 use super::profile::projection;
-use super::{CubeProjection, Face, from_gnomonic};
+use super::{CubeProjection, Face, from_gnomonic, newton};
 use crate::Real;
 use crate::math::{Polynomial, repeat};
 
@@ -72,9 +72,8 @@ impl CubeProjection for Balanced {
             let (ux, uy) = (fx.value - two * xx * (fx.a + fx.c), twist * p * p);
             let (vx, vy) = (twist * q * q, fy.value - two * yy * (fy.a + fy.c));
             let (du, dv) = (u - x * fx.value, v - y * fy.value);
-            let inverse = T::ONE / (ux * vy - uy * vx);
-            x += (du * vy - dv * uy) * inverse;
-            y += (dv * ux - du * vx) * inverse;
+            let [dx, dy] = newton([[ux, uy], [vx, vy]], [du, dv]);
+            (x, y) = (x + dx, y + dy);
         });
         [x.signed_like(u), y.signed_like(v)]
     }

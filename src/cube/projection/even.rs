@@ -1,6 +1,6 @@
 use super::decay::smooth;
 use super::profile::projection;
-use super::{CubeProjection, Face, from_gnomonic};
+use super::{CubeProjection, Face, from_gnomonic, newton};
 use crate::Real;
 use crate::math::{Polynomial, repeat};
 
@@ -78,9 +78,8 @@ impl CubeProjection for Even {
             let (ux, uy) = (fx + two * xx * (p * ax - a), twist * p * ay);
             let (vx, vy) = (twist * q * bx, fy + two * yy * (q * by - b));
             let (du, dv) = (u - x * fx, v - y * fy);
-            let inverse = T::ONE / (ux * vy - uy * vx);
-            x += (du * vy - dv * uy) * inverse;
-            y += (dv * ux - du * vx) * inverse;
+            let [dx, dy] = newton([[ux, uy], [vx, vy]], [du, dv]);
+            (x, y) = (x + dx, y + dy);
         });
         [x.signed_like(u), y.signed_like(v)]
     }

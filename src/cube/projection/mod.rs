@@ -17,7 +17,7 @@ pub use faces::Faces;
 pub use profile::{Evaluation, Formula, Kept, Profile};
 pub use quad_cube::QuadCube;
 pub(crate) use vector::on_face;
-use vector::{at_edge, from_gnomonic, normalise};
+use vector::{at_edge, from_gnomonic, newton, normalise};
 
 use super::Face;
 use crate::{Direction, Real};

@@ -1,6 +1,6 @@
 use super::decay::smooth;
 use super::profile::projection;
-use super::{CubeProjection, Face, normalise};
+use super::{CubeProjection, Face, newton, normalise};
 use crate::Real;
 use crate::math::{Polynomial, repeat};
 
@@ -68,9 +68,8 @@ impl CubeProjection for Square {
             let hx = four * x * y * (b02 * q * xx - z20 * p) - v * zx;
             let hy = b - two * b02 * yy * (xx * xx) - v * zy;
             let (g, h) = (x * a - u * z, y * b - v * z);
-            let inverse = T::ONE / (gx * hy - gy * hx);
-            x -= (g * hy - h * gy) * inverse;
-            y -= (h * gx - g * hx) * inverse;
+            let [dx, dy] = newton([[gx, gy], [hx, hy]], [g, h]);
+            (x, y) = (x - dx, y - dy);
         });
         [x, y]
     }

@@ -19,6 +19,13 @@ pub(super) fn at_edge<T: Real>(x: T, component: T, outward: T) -> T {
     )
 }
 
+/// A step of Newton's method for two equations: from the derivatives by x and y of each, and what each lacks.
+#[inline(always)]
+pub(super) fn newton<T: Real>([[ux, uy], [vx, vy]]: [[T; 2]; 2], [du, dv]: [T; 2]) -> [T; 2] {
+    let inverse = T::ONE / (ux * vy - uy * vx);
+    [(du * vy - dv * uy) * inverse, (dv * ux - du * vx) * inverse]
+}
+
 /// The unit vector of gnomonic coordinates (u, v).
 #[inline(always)]
 pub(super) fn from_gnomonic<T: Real>([u, v]: [T; 2]) -> [T; 3] {
