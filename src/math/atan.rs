@@ -19,9 +19,6 @@ pub fn atan<T: Real>(x: T) -> T {
 /// range, with the error of [`atan2`].
 #[inline(always)]
 pub(crate) fn atan2_eighth<T: Real>(y: T, x: T) -> T {
-    if cfg!(small) {
-        return atan2(y, x);
-    }
     let (high, small) = Reduced::of(x, y.abs(), T::ONE, T::ONE).base_and_rest();
     (high + small).copysign(y)
 }
