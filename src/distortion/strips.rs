@@ -7,8 +7,8 @@ use crate::math::min;
 use crate::simd::{BLOCK, Kernel, sweep};
 use crate::{Direction, Ellipsoid, Real, Shifted};
 
-/// The number of places that are computed together.
-const PART: usize = BLOCK;
+/// The number of places that are computed together: for a microcontroller's stack not a whole block.
+const PART: usize = BLOCK / 2;
 
 /// The number of cells that are measured together: they need the centres on both sides of them.
 pub(super) const WIDTH: usize = PART - 2;
