@@ -64,6 +64,8 @@
 //! | [`cube`] | [`CubeMap`](cube::CubeMap), the projections, and the faces of the cube with their points |
 //! | [`healpix`] | standard HEALPix: pixels and the plane, on the sphere and on an ellipsoid |
 //! | [`geodesic`] | distances, azimuths, destinations and areas, all methods behind one trait |
+//! | [`route`] | closest points, intersections, rhumb lines, rings and fences |
+//! | [`grid`] | transverse Mercator, UTM, UPS, MGRS and other grids; their text |
 //! | [`distortion`] | how a projection distorts shapes, areas and texels, at a point and over whole faces |
 //! | [`terrain`] | tiles of the faces: addresses, neighbours, bounds, selection, vertices in `f32` |
 //! | [`scene`] | the cheapest method, scalar or level of tiles that keeps your tolerance |
@@ -131,6 +133,7 @@ mod dual;
 mod ellipsoid;
 pub mod frame;
 pub mod geodesic;
+pub mod grid;
 pub mod healpix;
 mod interop;
 pub mod latitude;
@@ -138,6 +141,7 @@ pub mod math;
 mod name;
 mod position;
 mod real;
+pub mod route;
 pub mod scene;
 mod simd;
 pub mod terrain;

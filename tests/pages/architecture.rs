@@ -25,6 +25,8 @@ const FLOORS: &[&[(&str, &str)]] = &[
         ("healpix", "pixels"),
     ],
     &[
+        ("route", "legs, crossings, fences"),
+        ("grid", "UTM, MGRS"),
         ("distortion", "Tissot, surveys"),
         ("terrain", "tiles, selection, vertices"),
     ],

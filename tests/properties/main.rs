@@ -7,8 +7,10 @@
 mod areas;
 pub mod edges;
 pub mod geodesic;
+pub mod grid;
 pub mod healpix;
 pub mod position;
 pub mod projection;
 pub mod reference;
+pub mod route;
 pub mod validation;

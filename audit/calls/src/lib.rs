@@ -16,10 +16,12 @@ mod cube;
 mod distortion;
 mod frame;
 mod geodesic;
+mod grid;
 mod healpix;
 mod latitude;
 mod math;
 mod position;
+mod route;
 mod scene;
 #[cfg(feature = "terrain")]
 mod terrain;
@@ -161,6 +163,8 @@ pub fn every_in<T: Scalar, V: Visitor>(visitor: &mut V) {
     geodesic::show::<T, V>(visitor);
     catalogue::show::<T, V>(visitor);
     healpix::show::<T, V>(visitor);
+    route::show::<T, V>(visitor);
+    grid::show::<T, V>(visitor);
     batch::show::<T, V>(visitor);
     scene::show::<T, V>(visitor);
     #[cfg(feature = "terrain")]
