@@ -7,7 +7,7 @@
 //! * [`Cell`] is a cell of a face that is divided into n × n, for any n.
 //! * [`Numbering`] converts to the faces and axes of S2, OpenGL and FITS.
 //!
-//! If you have no reason for another, take [`Balanced`] for the least texture memory, [`Vertex`] for equal
+//! If you have no reason for another, take [`Compact`] for the least texture memory, [`Vertex`] for equal
 //! areas, [`S2Quadratic`] or [`Algebraic`] for speed.
 
 mod cell;
