@@ -54,9 +54,7 @@ impl EdgeKeeping for Even {
         let (xx, yy) = (x * x, y * y);
         [
             c10 + c13 * (y * yy) + two * x * (y * (c21 + c22 * y)) + five * c50 * (xx * xx),
-            c01 + two * c02 * y
-                + yy * (three * c03 + four * c04 * y + three * c13 * x)
-                + xx * (c21 + two * c22 * y),
+            c01 + two * c02 * y + yy * (three * c03 + four * c04 * y + three * c13 * x) + xx * (c21 + two * c22 * y),
         ]
     }
 }
