@@ -27,6 +27,7 @@ mod method;
 mod planar_area;
 mod profile;
 
+pub(crate) use angle::{heading, latitude_difference, longitude_difference, off_pole, turns_once};
 pub use error::GeodesicError;
 pub use general::{Line, LinePoint};
 pub use karney::{Area, PolygonArea, Solution};

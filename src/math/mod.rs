@@ -34,6 +34,7 @@ pub(crate) mod latitude;
 mod log2;
 mod minimax;
 mod polynomial;
+pub(crate) mod rhumb;
 mod sin_cos;
 mod tan;
 

@@ -10,6 +10,7 @@ mod horizon;
 mod latitude;
 mod polygon;
 mod position;
+mod rhumb;
 mod sphere;
 
 use std::error::Error;
@@ -40,6 +41,7 @@ pub struct Group {
 pub const GROUPS: &[Group] = &[
     geodesic::GROUP,
     polygon::GROUP,
+    rhumb::GROUP,
     sphere::GROUP,
     position::GROUP,
     frame::GROUP,

@@ -13,6 +13,7 @@ mod line;
 mod polygon;
 mod position;
 mod refused;
+mod rhumb;
 mod scene;
 mod terrain;
 

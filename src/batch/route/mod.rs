@@ -1,0 +1,5 @@
+//! Rhumb lines over slices.
+
+mod rhumb;
+
+pub use rhumb::{rhumb_area, rhumb_direct, rhumb_inverse};
