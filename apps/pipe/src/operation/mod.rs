@@ -12,6 +12,7 @@ mod polygon;
 mod position;
 mod rhumb;
 mod sphere;
+mod text;
 
 use std::error::Error;
 use std::fmt;
@@ -44,6 +45,7 @@ pub const GROUPS: &[Group] = &[
     rhumb::GROUP,
     sphere::GROUP,
     position::GROUP,
+    text::GROUP,
     frame::GROUP,
     latitude::GROUP,
     cube::GROUP,
