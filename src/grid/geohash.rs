@@ -7,8 +7,8 @@ use crate::{LatLon, Real};
 /// A cell of geohash: latitude and longitude halved in turn, five times a letter (Niemeyer 2008).
 ///
 /// It has 1 to 12 letters. With 12 it is 0.17 m high and 0.34·cos φ times 0.11 m wide. A place belongs to the
-/// cell north and east of a boundary, exactly; the north pole belongs to the northernmost cells, and longitude 180
-/// is −180.
+/// cell north and east of a boundary, exactly; the north pole belongs to the northernmost cells, and
+/// longitude 180 is −180.
 ///
 /// The text form is in lower case. Parsing accepts upper case, too, and refuses the letters a, i, l and o.
 ///

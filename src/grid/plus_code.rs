@@ -3,16 +3,17 @@ use core::str::FromStr;
 
 use crate::{LatLon, Real};
 
-/// A full plus code (Open Location Code): a cell of latitude and longitude, with 2, 4, 6, 8 or 10 to 15 digits.
+/// A full plus code (Open Location Code): a cell of latitude and longitude, with 2, 4, 6, 8 or 10 to 15
+/// digits.
 ///
-/// Ten digits are 1/8000 of a degree: 14 m. Digits are written in upper case, and read in any case. Digits after
-/// the 15th are read and count for nothing, as the specification has it.
+/// Ten digits are 1/8000 of a degree: 14 m. Digits are written in upper case, and read in any case. Digits
+/// after the 15th are read and count for nothing, as the specification has it.
 ///
-/// The latitude times 25 000 000 and the longitude times 8 192 000 are rounded to the scalar, and then down to a whole
-/// number, as the reference does it in `f64`. So a decimal number of degrees on the boundary of a cell may fall into
-/// the cell below, if it is not exact in the scalar.
+/// The latitude times 25 000 000 and the longitude times 8 192 000 are rounded to the scalar, and then down
+/// to a whole number, as the reference does it in `f64`. So a decimal number of degrees on the boundary of a
+/// cell may fall into the cell below, if it is not exact in the scalar.
 ///
-/// [Specification](https://github.com/google/open-location-code/blob/main/Documentation/Specification/specification.md)
+/// [Specification](https://github.com/google/open-location-code), in its folder `Documentation`.
 ///
 /// ```
 /// use terrella::LatLon;
@@ -21,7 +22,7 @@ use crate::{LatLon, Real};
 /// let code = PlusCode::containing(merlion, 10)?;
 /// assert_eq!(code.to_string(), "6PH57VP3+PR");
 /// // Near enough to a place, the rest will do.
-/// let city = LatLon::new(1.29_f64, 103.85)?;
+/// let city = LatLon::new(1.3_f64, 103.8)?;
 /// let short = code.shortened(city).unwrap();
 /// assert_eq!(short.to_string(), "7VP3+PR");
 /// assert_eq!(PlusCode::recovered("7VP3+PR", city), Ok(code));
@@ -75,7 +76,10 @@ impl PlusCode {
         let lat = lat.clamp(0, 180 * UNITS[0] - 1);
         let lon = lon.rem_euclid(360 * UNITS[1]);
         Self {
-            corner: [lat - lat.rem_euclid(size[0]), lon - lon.rem_euclid(size[1])],
+            corner: [
+                lat - lat.checked_rem(size[0]).unwrap_or_default(),
+                lon - lon.checked_rem(size[1]).unwrap_or_default(),
+            ],
             length,
         }
     }
@@ -113,9 +117,9 @@ impl PlusCode {
         [2 * south + height, 2 * west + width]
     }
 
-    /// Returns the code without its first 8, 6 or 4 digits, as many as the distance from a place allows: it is at
-    /// most 0.3 of the cells of what is left out, in latitude and in longitude. None if the place is too far,
-    /// or the code has fewer than 8 digits.
+    /// Returns the code without its first 8, 6 or 4 digits, as many as the distance from a place allows: it
+    /// is at most 0.3 of the cells of what is left out, in latitude and in longitude. None if the place is
+    /// too far, or the code has fewer than 8 digits.
     #[must_use]
     pub fn shortened<T: Real>(self, near: LatLon<T>) -> Option<ShortPlusCode> {
         if self.length < SEPARATOR {

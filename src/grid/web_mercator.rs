@@ -1,19 +1,20 @@
 //! Web Mercator (EPSG:3857): the plane and the tiles of web maps.
 //!
-//! The sphere's formula of Mercator is applied to geodetic latitudes, with the radius 6 378 137 m. So the map is not
-//! conformal: on WGS 84, it stretches what is small by up to 0.67 % more to the north than to the east (at the
-//! equator, none at the poles), which turns directions by up to 0.19°. And its y is up to 43 km larger than that of
-//! Mercator on the ellipsoid (EPSG:3395).
+//! The sphere's formula of Mercator is applied to geodetic latitudes, with the radius 6 378 137 m. So the map
+//! is not conformal: on WGS 84, it stretches what is small by up to 0.67 % more to the north than to the east
+//! (at the equator, none at the poles), which turns directions by up to 0.19°. And its y is up to 43 km
+//! larger than that of Mercator on the ellipsoid (EPSG:3395).
 //!
-//! The tile of zoom z, column x and row y is a square of the plane between −π and π times the radius: 2ᶻ columns from
-//! −180° to the east and 2ᶻ rows from [`LATITUDE_LIMIT`] to the south.
+//! The tile of zoom z, column x and row y is a square of the plane between −π and π times the radius: 2ᶻ
+//! columns from −180° to the east and 2ᶻ rows from [`LATITUDE_LIMIT`] to the south.
 //!
 //! ```
 //! use terrella::LatLon;
 //! use terrella::grid::web_mercator::{self, Tile};
 //! let berlin = LatLon::new(52.516_27_f64, 13.377_70)?;
 //! let tile = Tile::containing(berlin, 14)?;
-//! assert_eq!((tile.to_string().as_str(), tile.quadkey().to_string().as_str()), ("14/8800/5373", "12021023331321"));
+//! assert_eq!(tile.to_string(), "14/8800/5373");
+//! assert_eq!(tile.quadkey().to_string(), "12021023322202");
 //! let [x, y] = web_mercator::to_plane(berlin);
 //! assert!((x - 1_489_198.752).abs() < 1e-3 && (y - 6_894_017.444).abs() < 1e-3);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -47,8 +48,8 @@ pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
     ]
 }
 
-/// Returns the place at x to the east and y to the north in metres (EPSG:3857). x goes round the Earth any number
-/// of times.
+/// Returns the place at x to the east and y to the north in metres (EPSG:3857). x goes round the Earth any
+/// number of times.
 ///
 /// The worst error is 3·10⁻⁹ m on the ground (`f32`: 1.5 m).
 ///
@@ -65,8 +66,8 @@ fn isometric<T: Real>(lat: T) -> T {
     inverse_gudermannian(sin_cos_degrees(lat))
 }
 
-/// Returns the metres on the equator of the sphere that a pixel of 256 × 256 of a zoom's tiles shows, times the
-/// cosine of the latitude: what a map's scale bar shows there, up to 0.7 % on the ellipsoid.
+/// Returns the metres on the equator of the sphere that a pixel of 256 × 256 of a zoom's tiles shows, times
+/// the cosine of the latitude: what a map's scale bar shows there, up to 0.7 % on the ellipsoid.
 #[must_use]
 pub fn resolution<T: Real>(zoom: u8, lat: T) -> T {
     let (_, cos) = sin_cos_degrees(lat);
@@ -104,8 +105,8 @@ impl Tile {
 
     /// Returns the tile that contains a place. A zoom above 30 counts as 30.
     ///
-    /// Columns are exact: a boundary belongs to the tile east of it, and longitude 180 is −180. Rows are those of
-    /// [`to_plane`], with its error.
+    /// Columns are exact: a boundary belongs to the tile east of it, and longitude 180 is −180. Rows are
+    /// those of [`to_plane`], with its error.
     ///
     /// # Errors
     /// [`BeyondTiles`] if the latitude is beyond [`LATITUDE_LIMIT`].
@@ -177,8 +178,8 @@ impl Tile {
         })
     }
 
-    /// Returns the four tiles of the next zoom inside, north-west, north-east, south-west, south-east; none at the
-    /// largest zoom.
+    /// Returns the four tiles of the next zoom inside, north-west, north-east, south-west, south-east; none
+    /// at the largest zoom.
     #[must_use]
     pub fn children(self) -> Option<[Self; 4]> {
         let zoom = (self.zoom < Self::MAX_ZOOM).then_some(self.zoom + 1)?;

@@ -148,8 +148,8 @@ pub(super) fn is_negative<T: Real>(angle: T) -> bool {
     T::ONE.copysign(angle) < T::ZERO
 }
 
-/// The size of an angle in [−180, 180] degrees, in so many parts of a degree, below 10¹⁷: to the nearest whole
-/// number, ties to even. No step rounds but the last.
+/// The size of an angle in [−180, 180] degrees, in so many parts of a degree, below 10¹⁷: to the nearest
+/// whole number, ties to even. No step rounds but the last.
 pub(super) fn parts<T: Real>(angle: T, of_degree: u64) -> u64 {
     let magnitude = min(angle.abs(), T::of(180.0));
     let whole = magnitude.floor().unsigned_abs();

@@ -1,8 +1,8 @@
 //! Laws of the room `route`.
 
+use terrella::LatLon;
 use terrella::geodesic::GeodesicError;
 use terrella::route::{Rhumb, heading};
-use terrella::LatLon;
 use testkit::bytes::Bytes;
 use testkit::properties;
 use testkit::scalar::Scalar;
@@ -19,8 +19,16 @@ fn rhumb_inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
     let (from, to) = bytes.pair::<T>();
     let line = rhumb.inverse(from, to);
     let context = || format!("{} {:?} {from:?} {to:?} {line:?}", T::NAME, rhumb.ellipsoid());
-    assert!(line.distance.is_finite() && line.azimuth.is_finite() && line.area.is_finite(), "{}", context());
-    assert!(line.distance >= T::ZERO && line.azimuth.abs() <= T::of(180.0), "{}", context());
+    assert!(
+        line.distance.is_finite() && line.azimuth.is_finite() && line.area.is_finite(),
+        "{}",
+        context()
+    );
+    assert!(
+        line.distance >= T::ZERO && line.azimuth.abs() <= T::of(180.0),
+        "{}",
+        context()
+    );
     let back = rhumb.inverse(to, from);
     assert_eq!(back.distance.bits(), line.distance.bits(), "{}", context());
     assert_eq!(double(back.area), -double(line.area), "{}", context());
@@ -29,7 +37,11 @@ fn rhumb_inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
     assert_eq!(mirrored.distance.bits(), line.distance.bits(), "{}", context());
     assert_eq!(double(mirrored.area), -double(line.area), "{}", context());
     let along = rhumb.distance(from, LatLon::new(to.lat(), from.lon()).unwrap());
-    assert!(double(along) <= double(line.distance) * (1.0 + 4.0 * double(T::EPSILON)), "{}", context());
+    assert!(
+        double(along) <= double(line.distance) * (1.0 + 4.0 * double(T::EPSILON)),
+        "{}",
+        context()
+    );
 }
 
 /// A line arrives where the inverse problem says, away from poles, if it did not turn too far.
@@ -38,7 +50,14 @@ fn rhumb_direct<T: Scalar>(bytes: &mut Bytes<'_>) {
     let rhumb = Rhumb::<T>::new(ellipsoid).unwrap();
     let (from, to) = bytes.pair::<T>();
     let line = rhumb.line_between(from, to);
-    let context = || format!("{} {:?} {from:?} {to:?} {:?}", T::NAME, rhumb.ellipsoid(), line.at(line.length()));
+    let context = || {
+        format!(
+            "{} {:?} {from:?} {to:?} {:?}",
+            T::NAME,
+            rhumb.ellipsoid(),
+            line.at(line.length())
+        )
+    };
     let Ok(end) = line.at(line.length()) else {
         // Only by a rounding, beyond a pole.
         assert!(to.lat().abs() > T::of(89.9), "{}", context());
@@ -65,17 +84,36 @@ fn rhumb_any<T: Scalar>(bytes: &mut Bytes<'_>) {
     match rhumb.direct(from, azimuth, distance) {
         Ok(end) => {
             let place = end.position;
-            assert!(place.lat().abs() <= T::of(90.0) && place.lon().abs() <= T::of(180.0), "{}", context());
+            assert!(
+                place.lat().abs() <= T::of(90.0) && place.lon().abs() <= T::of(180.0),
+                "{}",
+                context()
+            );
             assert!(end.longitude.is_finite(), "{}", context());
         }
         Err(GeodesicError::Azimuth(refused)) => {
-            assert!(!azimuth.is_finite() && refused.bits() == azimuth.bits(), "{}", context());
+            assert!(
+                !azimuth.is_finite() && refused.bits() == azimuth.bits(),
+                "{}",
+                context()
+            );
         }
         Err(GeodesicError::Distance(refused)) => {
-            assert!(!distance.is_finite() && refused.bits() == distance.bits(), "{}", context());
+            assert!(
+                !distance.is_finite() && refused.bits() == distance.bits(),
+                "{}",
+                context()
+            );
         }
-        Err(GeodesicError::TooFar { distance: refused, limit }) => {
-            assert!(refused.bits() == distance.bits() && limit.is_finite(), "{} {limit:?}", context());
+        Err(GeodesicError::TooFar {
+            distance: refused,
+            limit,
+        }) => {
+            assert!(
+                refused.bits() == distance.bits() && limit.is_finite(),
+                "{} {limit:?}",
+                context()
+            );
         }
         Err(other) => panic!("{} {other:?}", context()),
     }
@@ -88,7 +126,11 @@ fn headings<T: Scalar>(bytes: &mut Bytes<'_>) {
     let turn = heading::difference(a, b);
     let context = || format!("{} {a:?} {b:?} {circle:?} {half:?} {turn:?}", T::NAME);
     if !a.is_finite() {
-        assert!([circle, half, turn].iter().all(|value| !value.is_finite()), "{}", context());
+        assert!(
+            [circle, half, turn].iter().all(|value| !value.is_finite()),
+            "{}",
+            context()
+        );
         return;
     }
     assert!(circle >= T::ZERO && circle < T::of(360.0), "{}", context());
@@ -99,8 +141,15 @@ fn headings<T: Scalar>(bytes: &mut Bytes<'_>) {
     if b.is_finite() {
         assert!(turn.abs() <= T::of(180.0), "{}", context());
         let back = heading::difference(b, a);
-        assert!(double(back) == -double(turn) || turn.abs() == T::of(180.0), "{}", context());
-        assert!(heading::mean(&[a, b]).is_ok_and(|mean| mean >= T::ZERO && mean < T::of(360.0)) || turn.abs() > T::of(179.9));
+        assert!(
+            double(back) == -double(turn) || turn.abs() == T::of(180.0),
+            "{}",
+            context()
+        );
+        assert!(
+            heading::mean(&[a, b]).is_ok_and(|mean| mean >= T::ZERO && mean < T::of(360.0))
+                || turn.abs() > T::of(179.9)
+        );
     } else {
         assert!(heading::mean(&[a, b]).is_err());
     }

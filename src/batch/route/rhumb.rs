@@ -107,8 +107,8 @@ pub fn rhumb_inverse<T: Real>(
     between(rhumb, Line, (from, to), lines)
 }
 
-/// Measures the areas in m² under the shortest rhumb lines between pairs of places in degrees, with the bits of
-/// [`Rhumb::inverse`].
+/// Measures the areas in m² under the shortest rhumb lines between pairs of places in degrees, with the bits
+/// of [`Rhumb::inverse`].
 ///
 /// # Errors
 /// Those of [`rhumb_inverse`].

@@ -18,8 +18,8 @@ pub(super) struct Between<T> {
 }
 
 impl<T: Real> Between<T> {
-    /// The way to the east in metres, of a difference of longitudes in radians; never −0, so that a line to the
-    /// south has the azimuth 180.
+    /// The way to the east in metres, of a difference of longitudes in radians; never −0, so that a line to
+    /// the south has the azimuth 180.
     #[inline(always)]
     pub(super) fn east(&self, rhumb: &Rhumb<T>, lon: T) -> T {
         lon * self.slope * rhumb.radius + T::ZERO

@@ -18,7 +18,7 @@ use crate::{LatLon, Real};
 /// // The longitude runs on over −180.
 /// assert!((line.at(line.length())?.longitude - -220.3).abs() < 1e-12);
 /// let middle = line.at(0.5 * line.length())?;
-/// assert!((middle.position.lat() - 28.353_9).abs() < 1e-4);
+/// assert!((middle.position.lat() - 28.353_6).abs() < 1e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

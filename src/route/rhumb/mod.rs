@@ -32,14 +32,14 @@ pub use line::RhumbLine;
 /// | line | distance | azimuth | area |
 /// |---|---|---|---|
 /// | coincident places | 0 | 0 | 0 |
-/// | to or from a pole | along the meridian | 0 or 180 | all of the area between the pole, the equator and both meridians |
+/// | to or from a pole | along the meridian | 0 or 180 | between the pole, the equator and both meridians |
 /// | from pole to pole | along a meridian | 0 or 180 | 0 |
 ///
 /// They are the limits of lines toward the pole at fixed longitudes. [`direct`](Self::direct) refuses to go
 /// beyond a pole; at a pole, any longitude is right, and the start's is returned.
 ///
-/// Karney, [The area of rhumb polygons](https://arxiv.org/abs/2303.03219), 2024: the divided differences of his
-/// section 3, here in closed form for the isometric latitude (ψ₁₂ = 2 atanh(sin(χ₁₂/2)/cos χ̄)), and by
+/// Karney, [The area of rhumb polygons](https://arxiv.org/abs/2303.03219), 2024: the divided differences of
+/// his section 3, here in closed form for the isometric latitude (ψ₁₂ = 2 atanh(sin(χ₁₂/2)/cos χ̄)), and by
 /// products of sines for the series of the rectifying and the conformal latitude.
 ///
 /// ```

@@ -1,9 +1,9 @@
 //! Places as text.
 
 use clap::Args;
-use terrella::LatLon;
 use terrella::grid::web_mercator::Tile;
 use terrella::grid::{Geohash, PlusCode};
+use terrella::{LatLon, NmeaLatLon};
 
 use super::{Answer, Failure, Group, answer, group};
 use crate::options::Nothing;
@@ -60,7 +60,7 @@ fn nmea<T: Number>(Decimals { decimals }: Decimals) -> Result<Answer, Failure> {
 }
 
 fn from_nmea<T: Number>(_: Nothing) -> Result<Answer, Failure> {
-    answer(|text: String| Ok(LatLon::<T>::from_nmea(&text).map_err(|why| why.to_string())?))
+    answer(|text: String| Ok(text.parse::<NmeaLatLon>()?.to_lat_lon::<T>()))
 }
 
 fn geohash<T: Number>(Letters { letters }: Letters) -> Result<Answer, Failure> {
