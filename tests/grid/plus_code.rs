@@ -94,7 +94,8 @@ CH3V0000+,4,71,57,72,58
 95000000+,2,50,-120,70,-100
 4J86FVGW+9449,12,-43.52412,64.8953359375,-43.524115,64.89534375";
 
-/// Of `shortCodeTests.csv`: full code, latitude, longitude, short code, and whether it is recovered, shortened or both.
+/// Of `shortCodeTests.csv`: full code, latitude, longitude, short code, and whether it is recovered,
+/// shortened or both.
 const SHORT: &str = "\
 9C3W9QCJ+2VX,51.3701125,-1.217765625,+2VX,B
 9C3W9QCJ+2VX,51.3708675,-1.217765625,CJ+2VX,B
@@ -152,7 +153,8 @@ fn place(lat: &str, lon: &str) -> LatLon<f64> {
     LatLon::new(lat.parse().unwrap(), lon.parse().unwrap()).unwrap()
 }
 
-/// The reference rounds a product of degrees, and so some decimals fall below their integers: it allows 5 % of them.
+/// The reference rounds a product of degrees, and so some decimals fall below their integers: it allows 5 %
+/// of them.
 fn encoding(text: &str) {
     let (mut all, mut rounded) = (0, 0);
     for row in rows(text) {

@@ -13,7 +13,8 @@ fn double<T: Scalar>(value: T) -> f64 {
     value.into()
 }
 
-/// The way back is the same line; the mirror's is the mirrored one; a meridian's length is no longer than any.
+/// The way back is the same line; the mirror's is the mirrored one; a meridian's length is no longer than
+/// any.
 fn rhumb_inverse<T: Scalar>(bytes: &mut Bytes<'_>) {
     let rhumb = Rhumb::<T>::new(bytes.ellipsoid(-0.1, 0.1)).unwrap();
     let (from, to) = bytes.pair::<T>();

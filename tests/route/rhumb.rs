@@ -193,8 +193,8 @@ fn poles_follow_the_rules() {
     hold::<f32>();
 }
 
-/// georust/geo, issue 1152: latitudes beyond a pole; erkir, issue 12: a midpoint beside both ends, on a line that is nearly
-/// a parallel; turf, issue 770: a line over 180 degrees.
+/// georust/geo, issue 1152: latitudes beyond a pole; erkir, issue 12: a midpoint beside both ends, on a line
+/// that is nearly a parallel; turf, issue 770: a line over 180 degrees.
 #[test]
 fn what_went_wrong_elsewhere() {
     let rhumb = earth();

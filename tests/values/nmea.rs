@@ -21,8 +21,8 @@ fn rounding_carries() {
     assert_eq!(place.to_nmea(255), place.to_nmea(NmeaLatLon::MAX_DIGITS));
 }
 
-/// Issues of other parsers: kosma/minmea 17, kevingoos/NMEAParser 7, semuconsulting/pynmeagps 37, adafruit/Adafruit_GPS 50
-/// and 126, panaaj/nmeasimulator 32.
+/// Issues of other parsers: kosma/minmea 17, kevingoos/NMEAParser 7, semuconsulting/pynmeagps 37,
+/// adafruit/Adafruit_GPS 50 and 126, panaaj/nmeasimulator 32.
 #[test]
 fn sentences_of_receivers() {
     for (text, lat, lon) in [

@@ -170,7 +170,8 @@ impl<T: Real, const SHORT: bool> Element<Way<T>> for Direct<'_, T, SHORT> {
 /// latitudes and longitudes in degrees, with the bits of [`Rhumb::direct`].
 ///
 /// # Errors
-/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or [`Rhumb::direct`] refuses an element.
+/// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] or [`Rhumb::direct`] refuses an
+/// element.
 ///
 /// ```
 /// use terrella::{Ellipsoid, batch::route, route::Rhumb};

@@ -5,9 +5,9 @@ use crate::{LatLon, Real};
 
 /// A rhumb line from a place: for points along it.
 ///
-/// [`Rhumb::line`] makes one from an azimuth, [`Rhumb::line_between`] from one place to another. Points are as
-/// exact as those of [`Rhumb::direct`]. The line between two places keeps its azimuth by sine and cosine, and
-/// so reaches the second one within a few roundings.
+/// [`Rhumb::line`] makes one from an azimuth, [`Rhumb::line_between`] from one place to another. Points are
+/// as exact as those of [`Rhumb::direct`]. The line between two places keeps its azimuth by sine and cosine,
+/// and so reaches the second one within a few roundings.
 ///
 /// ```
 /// use terrella::route::Rhumb;

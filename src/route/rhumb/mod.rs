@@ -235,8 +235,8 @@ impl<T: Real> Rhumb<T> {
         })
     }
 
-    /// [`Self::direct`] without a branch: latitude and longitude, and whether they are those, bit for bit. Not
-    /// after more than one turn.
+    /// [`Self::direct`] without a branch: latitude and longitude, and whether they are those, bit for bit.
+    /// Not after more than one turn.
     #[inline(always)]
     pub(crate) fn fast_direct<const SHORT: bool>(&self, from: LatLon<T>, azimuth: T, distance: T) -> ([T; 2], bool) {
         let (end, reached) = self.reach::<SHORT>(from, crate::math::sin_cos_degrees(azimuth), distance);
