@@ -27,6 +27,7 @@ mod method;
 mod planar_area;
 mod profile;
 
+pub(crate) use angle::{latitude_difference, longitude_step};
 pub use error::GeodesicError;
 pub use general::{Line, LinePoint};
 pub use karney::{Area, PolygonArea, Solution};
