@@ -205,9 +205,20 @@ impl fmt::Display for Mgrs {
     }
 }
 
-/// 10ⁿ, n ≤ 11.
+/// 10ⁿ, n ≤ 11. Never 0, as the compiler can see: so no division checks for it.
+#[allow(clippy::indexing_slicing)] // the index is bounded
 pub(super) const fn power(n: u8) -> u64 {
-    10_u64.pow(n as u32)
+    const POWERS: [u64; 16] = {
+        let mut powers = [1; 16];
+        let mut n = 1;
+        while n < powers.len() {
+            powers[n] = 10 * powers[n - 1];
+            n += 1;
+        }
+        powers
+    };
+    let power = POWERS[(n & 15) as usize];
+    if power == 0 { 1 } else { power }
 }
 
 /// The squares of 100 km of UPS, from the first to that after the last, in either direction.
@@ -220,6 +231,7 @@ pub(super) const fn polar_range(hemisphere: Hemisphere) -> [u8; 2] {
 
 /// So many parts of 100 km from the border of a square, in metres.
 fn metres<T: Real>(square: u8, digits: u64, parts: u64) -> T {
+    let parts = parts.max(1);
     // Whole metres apart, which are exact.
     let scaled = |number: u64| {
         let whole = number * SQUARE;

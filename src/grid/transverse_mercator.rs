@@ -19,13 +19,15 @@ use crate::{Dual, Ellipsoid, LatLon, Real, Shift, Shifted};
 ///
 /// | from the central meridian | `f64` | `f32` |
 /// |---|---|---|
-/// | 3.5° | 5 nm | 1.6 m |
-/// | 3900 km, 35° on the equator | 5 nm | 2 m |
-/// | 6000 km, 52° | 7 nm | 3 m |
-/// | 8500 km, 65° | 10 µm | 5 m |
+/// | 400 km, 3.5° on the equator | 5 nm | 1.9 m |
+/// | 3900 km, 35° | 5 nm | 1.9 m |
+/// | 6000 km, 52° | 5 nm | 2.2 m |
+/// | 8500 km, 65° | 40 nm | 2.2 m |
+/// | 10 000 km, 71° | 3 µm | 2.2 m |
 ///
 /// Farther away, next to the equator, the series has no meaning: the exact projection has a branch point at
-/// 82.6°. Where x is small, y of `f32` is rounded to half a metre, and x to 2⁻²⁴ of itself.
+/// 82.6°. On flatter ellipsoids errors grow sooner: for |f| = 1/60 they are 6 µm (`f32`: 10 m) at 45°. In `f32`
+/// easting and northing are rounded to 2⁻²⁴ of themselves, which is 0.03 m for 400 km and 0.5 m for 9000 km.
 ///
 /// C. F. F. Karney, *Transverse Mercator with an accuracy of a few nanometers*, J. Geodesy 85 (2011), section 4.
 ///
@@ -156,8 +158,8 @@ impl<T: Real> TransverseMercator<T> {
         Ok(LatLon::within(lat, lon))
     }
 
-    /// Returns the convergence of meridians and the scale at a place, within 10⁻¹³ (`f32`: 5·10⁻⁵) degrees and
-    /// 10⁻¹⁵ (5·10⁻⁷) up to 35° from the central meridian.
+    /// Returns the convergence of meridians and the scale at a place, within 10⁻¹³ (`f32`: 2·10⁻⁵) degrees and
+    /// 2·10⁻¹⁵ (6·10⁻⁷) up to 35° from the central meridian.
     ///
     /// At a pole the convergence is that of the meridian that is given with it.
     ///

@@ -12,8 +12,8 @@ use crate::{Ellipsoid, LatLon, Real};
 /// 9 600 000 m (north) or 900 000 to 19 600 000 m (south), longitudes within 60° of the central meridian.
 /// [`Mgrs`](super::Mgrs) has narrower ones.
 ///
-/// Worst error on the Earth within these limits: easting, northing and place 5 nm (`f32`: easting 0.1 m, northing
-/// 1.3 m in the north, 1.6 m in the south, place 1.6 m; the numbers themselves are rounded to 0.03 m and 0.5 m).
+/// Worst error on the Earth: easting, northing and place 5 nm. In `f32` the easting 0.2 m, the northing and the
+/// place 2.2 m: the northing is rounded to 0.5 m.
 ///
 /// ```
 /// use terrella::grid::{Hemisphere, Utm, Zone};

@@ -5,6 +5,7 @@ mod cell;
 mod cube;
 mod frame;
 mod geodesic;
+mod grid;
 mod healpix;
 mod horizon;
 mod latitude;
@@ -44,6 +45,7 @@ pub const GROUPS: &[Group] = &[
     position::GROUP,
     frame::GROUP,
     latitude::GROUP,
+    grid::GROUP,
     cube::GROUP,
     cell::GROUP,
     healpix::GROUP,
