@@ -15,7 +15,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// use terrella::{Ellipsoid, LatLon};
 /// let paris = AzimuthalEquidistant::new(Ellipsoid::WGS84, LatLon::new(48.0 + 50.0 / 60.0, 2.0 + 20.0 / 60.0)?)?;
 /// let [x, y] = paris.forward(LatLon::new(50.9_f64, 1.8)?);
-/// assert_eq!(format!("{x:.3} {y:.3}"), "-37518.855 229948.928");
+/// assert_eq!(format!("{x:.3} {y:.3}"), "-37526.978 230000.912");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "aeqd")]

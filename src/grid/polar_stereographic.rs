@@ -17,10 +17,10 @@ use crate::{Dual, Ellipsoid, LatLon, Real, Shift, Shifted};
 /// ```
 /// use terrella::grid::{Hemisphere, PolarStereographic};
 /// use terrella::{Ellipsoid, LatLon};
-/// // Snyder's example (page 315), on the International ellipsoid: 75° S 150° E, about 100° W.
-/// let map = PolarStereographic::new(Ellipsoid::<f64>::INTERNATIONAL1924, 0.994)?;
+/// // Snyder's example (page 315): true to scale at 71° S, so 0.97277 at the pole; 150° E less 100° W.
+/// let map = PolarStereographic::new(Ellipsoid::<f64>::INTERNATIONAL1924, 0.972_769_012_89)?;
 /// let [x, y] = map.forward(Hemisphere::South, LatLon::new(-75.0, 250.0)?);
-/// assert_eq!(format!("{x:.1} {y:.1}"), "-1573645.4 -572760.1");
+/// assert_eq!(format!("{x:.1} {y:.1}"), "-1540033.6 -560526.4");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "stere")]

@@ -16,7 +16,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// use terrella::{Ellipsoid, LatLon};
 /// let ups = Ups::new(Ellipsoid::WGS84)?;
 /// let here = ups.forward(LatLon::new(84.287_23_f64, -132.247_998)?)?;
-/// assert_eq!(format!("{here:.0}"), "0n 1530125 2426773");
+/// assert_eq!(format!("{here:.0}"), "0n 1530126 2426774");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
