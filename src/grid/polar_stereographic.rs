@@ -20,7 +20,7 @@ use crate::{Dual, Ellipsoid, LatLon, Real, Shift, Shifted};
 /// // Snyder's example (page 315): true to scale at 71° S, so 0.97277 at the pole; 150° E less 100° W.
 /// let map = PolarStereographic::new(Ellipsoid::<f64>::INTERNATIONAL1924, 0.972_769_012_89)?;
 /// let [x, y] = map.forward(Hemisphere::South, LatLon::new(-75.0, 250.0)?);
-/// assert_eq!(format!("{x:.1} {y:.1}"), "-1540033.6 -560526.4");
+/// assert_eq!(format!("{x:.0} {y:.0}"), "-1540034 -560526");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "stere")]
