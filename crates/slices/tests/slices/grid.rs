@@ -37,7 +37,7 @@ fn maps<T: Scalar>(ellipsoid: Ellipsoid<T>) {
     let map = utm.zone(zone).unwrap();
     let [lat, lon] = places::<T>();
     let near = [
-        scaled(&lat, 0.9),
+        scaled(&lat, 0.85),
         lon.iter().map(|&lon| lon * T::of(0.02) + T::of(3.0)).collect(),
     ];
     for hemisphere in [Hemisphere::North, Hemisphere::South] {
