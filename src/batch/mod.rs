@@ -117,6 +117,7 @@ mod face_mask;
 mod face_number;
 pub mod frame;
 pub mod geodesic;
+pub mod grid;
 pub mod healpix;
 pub mod latitude;
 pub mod map;

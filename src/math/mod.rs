@@ -30,6 +30,7 @@ pub(crate) mod geodesic;
 mod gudermannian;
 mod hypot;
 mod interleave;
+pub(crate) mod kruger;
 pub(crate) mod latitude;
 mod log2;
 mod minimax;

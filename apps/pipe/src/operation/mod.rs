@@ -5,6 +5,7 @@ mod cell;
 mod cube;
 mod frame;
 mod geodesic;
+mod grid;
 mod healpix;
 mod horizon;
 mod latitude;
@@ -48,6 +49,7 @@ pub const GROUPS: &[Group] = &[
     text::GROUP,
     frame::GROUP,
     latitude::GROUP,
+    grid::GROUP,
     cube::GROUP,
     cell::GROUP,
     healpix::GROUP,

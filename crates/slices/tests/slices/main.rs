@@ -8,6 +8,7 @@ mod batch;
 mod cube;
 mod frame;
 mod geodesic;
+mod grid;
 mod healpix;
 mod line;
 mod polygon;
