@@ -32,6 +32,7 @@ pub use general::{Line, LinePoint};
 pub use karney::{Area, PolygonArea, Solution};
 pub(crate) use karney::{Edge, Edges};
 pub use method::{InvalidMethod, UnknownMethod, Visitor};
+pub(crate) use angle::wrapped;
 pub(crate) use planar_area::Tangent;
 pub use planar_area::{PlanarArea, PlanarPolygon};
 pub use profile::{Linear, Profile, Surface, WorstErrors};

@@ -2,6 +2,7 @@
 
 mod angle;
 mod cell;
+mod closest;
 mod cube;
 mod frame;
 mod geodesic;
@@ -40,6 +41,7 @@ pub struct Group {
 pub const GROUPS: &[Group] = &[
     geodesic::GROUP,
     polygon::GROUP,
+    closest::GROUP,
     sphere::GROUP,
     position::GROUP,
     frame::GROUP,
