@@ -39,7 +39,9 @@ pub(super) fn solve_each<S: Source, D: Sink, E>(
     sink: D,
     one: impl Fn(S::Row) -> Result<D::Row, E>,
 ) -> Result<(), InvalidBatch<E>> {
-    solve_by(source, sink, &one, |source, sink, tally| each(source, sink, tally, &one))
+    solve_by(source, sink, &one, |source, sink, tally| {
+        each(source, sink, tally, &one)
+    })
 }
 
 fn each<S: Source, D: Sink, E>(

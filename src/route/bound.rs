@@ -1,7 +1,7 @@
 //! A lower bound of the distance from a place to a leg, from three unit vectors.
 
-use crate::{Ellipsoid, LatLon, Real};
 use crate::math::{max, min};
+use crate::{Ellipsoid, LatLon, Real};
 
 /// What [`Legs::at_least`](super::Legs::at_least) returns on an ellipsoid.
 ///

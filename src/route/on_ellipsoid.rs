@@ -121,7 +121,10 @@ impl<'a, T: Real> Search<'a, T> {
     fn descend(&self, mut here: Sight<T>, stretch: Stretch<T>) -> Sight<T> {
         // Below this the next step is below rounding.
         let small = T::EPSILON.sqrt() * self.radius;
-        let Stretch { from: mut low, to: mut high } = stretch;
+        let Stretch {
+            from: mut low,
+            to: mut high,
+        } = stretch;
         let (mut low_seen, mut high_seen) = (false, false);
         for count in 0..MOST_STEPS {
             if here.cos < T::ZERO {
@@ -209,13 +212,20 @@ impl<'a, T: Real> Search<'a, T> {
                 continue;
             }
             let fraction = T::whole(part) / T::whole(PARTS);
-            let along = if part == PARTS { to } else { from + (to - from) * fraction };
+            let along = if part == PARTS {
+                to
+            } else {
+                from + (to - from) * fraction
+            };
             let here = self.sight(along);
             if here.distance < self.convex {
                 return self.descend(here, stretch);
             }
             if let (false, Some([low, high])) = (ends_only, self.valley(before, here)) {
-                let part = Stretch { from: low.along, to: high.along };
+                let part = Stretch {
+                    from: low.along,
+                    to: high.along,
+                };
                 best = nearer(best, self.descend(nearer(low, high), part));
             }
             best = nearer(best, here);
@@ -248,7 +258,10 @@ impl<T: Real> Legs<T> for Karney<T> {
         let sphere = GreatCircle::mean(self.ellipsoid());
         let [along, _] = sphere.tracks_beside(place, leg.start, leg.way.azimuth1);
         let near = max(min(along, length), T::ZERO);
-        let stretch = Stretch { from: T::ZERO, to: length };
+        let stretch = Stretch {
+            from: T::ZERO,
+            to: length,
+        };
         let found = Search::new(self, leg, place).closest(near, stretch, stretch);
         let on_leg = found.distance == T::ZERO;
         let reach = if found.along == T::ZERO && found.cos > T::ZERO && !on_leg {
@@ -258,9 +271,13 @@ impl<T: Real> Legs<T> for Karney<T> {
         } else {
             Reach::Within
         };
+        let position = match reach {
+            Reach::PastEnd => leg.end,
+            _ => found.position,
+        };
         Closest {
             distance: found.distance,
-            position: found.position,
+            position,
             along: found.along,
             reach,
         }

@@ -82,8 +82,10 @@ impl<T: Real> TangentPlane<T> {
         });
         let (de, dn) = (east - e, north - n);
         let length = hypot(de, dn);
-        let length = select(length == T::ZERO, T::ONE, length);
-        let way = [de / length, dn / length];
+        // The line of ends that coincide leads to the north.
+        let open = length == T::ZERO;
+        let length = select(open, T::ONE, length);
+        let way = [de / length, select(open, T::ONE, dn / length)];
         let [de, dn] = way;
         let across = n * de - e * dn;
         View {
@@ -124,10 +126,7 @@ impl<T: Real> View<T> {
         let scale = self.radius / (T::ONE + (e * e + n * n)).sqrt();
         let [lat, lon] = self.tangent.degrees([e * scale, n * scale]);
         let right = T::of(90.0);
-        LatLon::within(
-            max(min(place.lat() + lat, right), -right),
-            wrapped(place.lon() + lon),
-        )
+        LatLon::within(max(min(place.lat() + lat, right), -right), wrapped(place.lon() + lon))
     }
 }
 

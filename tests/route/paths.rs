@@ -62,9 +62,9 @@ fn skipping<T: Scalar, S: Legs<T>>(surface: &S, rounds: usize) {
         assert_eq!(ring, Whole(surface).closest_of_ring(ship, path.iter().copied()));
         // By hand.
         let legs = (0..count).map(|leg| surface.closest(ship, path[leg], path[(leg + 1) % count]));
-        let first = legs.enumerate().reduce(|best, next| {
-            if next.1.distance < best.1.distance { next } else { best }
-        });
+        let first = legs
+            .enumerate()
+            .reduce(|best, next| if next.1.distance < best.1.distance { next } else { best });
         assert_eq!(ring.map(|on| (on.leg, on.closest)), first);
     }
 }
@@ -76,8 +76,14 @@ fn of_all_legs_it_is_the_closest() {
         skipping(&GreatCircle::new(earth.mean_radius()).unwrap(), 1000);
         skipping(&Karney::new(earth).unwrap(), 300);
         skipping(&TangentPlane::new(earth).unwrap(), 300);
-        skipping(&Karney::new(Ellipsoid::new(T::of(6.4e6), T::of(-0.1)).unwrap()).unwrap(), 100);
-        skipping(&Karney::new(Ellipsoid::new(T::of(6.4e6), T::of(0.1)).unwrap()).unwrap(), 100);
+        skipping(
+            &Karney::new(Ellipsoid::new(T::of(6.4e6), T::of(-0.1)).unwrap()).unwrap(),
+            100,
+        );
+        skipping(
+            &Karney::new(Ellipsoid::new(T::of(6.4e6), T::of(0.1)).unwrap()).unwrap(),
+            100,
+        );
     }
     compare::<f64>();
     compare::<f32>();
@@ -122,7 +128,10 @@ fn paths_of_few_places() {
     let (here, there) = (place(10.0, 20.0), place(11.0, 20.0));
     assert_eq!(earth.closest_of_path(here, []), None);
     assert_eq!(earth.closest_of_ring(here, []), None);
-    for one in [earth.closest_of_path(here, [there]), earth.closest_of_ring(here, [there])] {
+    for one in [
+        earth.closest_of_path(here, [there]),
+        earth.closest_of_ring(here, [there]),
+    ] {
         let one = one.unwrap();
         assert_eq!((one.leg, one.closest.position, one.closest.along), (0, there, 0.0));
         assert!((one.closest.distance - 110_611.0).abs() < 100.0);
@@ -131,6 +140,9 @@ fn paths_of_few_places() {
     let ship = place(10.2, 20.1);
     let ring = [here, here, there, there, place(10.5, 21.0), here];
     let plain = [here, there, place(10.5, 21.0)];
-    let [one, two] = [earth.closest_of_ring(ship, ring).unwrap(), earth.closest_of_ring(ship, plain).unwrap()];
+    let [one, two] = [
+        earth.closest_of_ring(ship, ring).unwrap(),
+        earth.closest_of_ring(ship, plain).unwrap(),
+    ];
     assert_eq!(one.closest.distance, two.closest.distance);
 }
