@@ -13,6 +13,7 @@ mod line;
 mod polygon;
 mod position;
 mod refused;
+mod route;
 mod scene;
 mod terrain;
 
