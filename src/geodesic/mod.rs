@@ -27,12 +27,12 @@ mod method;
 mod planar_area;
 mod profile;
 
+pub(crate) use angle::wrapped;
 pub use error::GeodesicError;
 pub use general::{Line, LinePoint};
 pub use karney::{Area, PolygonArea, Solution};
 pub(crate) use karney::{Edge, Edges};
 pub use method::{InvalidMethod, UnknownMethod, Visitor};
-pub(crate) use angle::wrapped;
 pub(crate) use planar_area::Tangent;
 pub use planar_area::{PlanarArea, PlanarPolygon};
 pub use profile::{Linear, Profile, Surface, WorstErrors};

@@ -170,8 +170,8 @@ impl<T: Real> Tangent<T> {
         self.plane(latitude_difference(first, corner), longitude_difference(first, corner))
     }
 
-    /// Northward and eastward degrees from the first corner to a place in the tangent plane, given as metres east
-    /// and north: the inverse of [`Self::seen`].
+    /// Northward and eastward degrees from the first corner to a place in the tangent plane, given as metres
+    /// east and north: the inverse of [`Self::seen`].
     pub(crate) fn degrees(&self, [east, north]: [T; 2]) -> [T; 2] {
         let (one, half) = (T::ONE, T::of(0.5));
         let [axis, ..] = self.axis;
@@ -180,7 +180,8 @@ impl<T: Real> Tangent<T> {
         let w = T::of(8.0) * self.curvature * m;
         let cos = axis * w;
         let up = -half * (north * north / m + east * east * w);
-        // Outward from the axis; the distance from the axis less that of the first corner, without cancellation.
+        // Outward from the axis; the distance from the axis less that of the first corner, without
+        // cancellation.
         let out = up * cos - north * self.sin;
         let distance = hypot(axis + out, east);
         let sum = distance + axis;

@@ -5,10 +5,10 @@ use crate::{Ellipsoid, LatLon, Real};
 
 /// What [`Legs::at_least`](super::Legs::at_least) returns on an ellipsoid.
 ///
-/// The radii of curvature are between a²/b and b²/a, and so a distance is between these numbers times the angle
-/// between the two normals (for the lengths of the lines of one surface are lengths of lines of the other). By the
-/// triangle inequality no point of a leg is nearer than half of what both ends are apart from the place, less the
-/// leg's length.
+/// The radii of curvature are between a²/b and b²/a, and so a distance is between these numbers times the
+/// angle between the two normals (for the lengths of the lines of one surface are lengths of lines of the
+/// other). By the triangle inequality no point of a leg is nearer than half of what both ends are apart from
+/// the place, less the leg's length.
 pub(super) fn at_least<T: Real>(ellipsoid: Ellipsoid<T>, place: LatLon<T>, start: LatLon<T>, end: LatLon<T>) -> T {
     let (a, b) = (ellipsoid.a(), ellipsoid.b());
     let (one, two) = (a * (a / b), b * (b / a));
@@ -23,7 +23,8 @@ pub(super) fn at_least<T: Real>(ellipsoid: Ellipsoid<T>, place: LatLon<T>, start
     let sixth = T::of(1.0 / 6.0);
     let ends = cubed(apart(place, start), sixth) + cubed(apart(place, end), sixth);
     let leg = cubed(apart(start, end), T::of(core::f64::consts::FRAC_PI_2 - 1.0));
-    // Distances as computed may be shorter than they are: in f32 by 7e-7 of them and four metres on the Earth.
+    // Distances as computed may be shorter than they are: in f32 by 7e-7 of them and four metres on the
+    // Earth.
     let slack = T::pick(1e-12, 4e-6) * longest;
     max(shortest * ends - longest * leg - slack, T::ZERO)
 }

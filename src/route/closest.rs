@@ -6,8 +6,8 @@ use crate::LatLon;
 pub enum Reach {
     /// The closest point is the start, and the place is behind it.
     BeforeStart,
-    /// The closest point is a point of the leg at which the way to the place leaves the leg at a right angle, or
-    /// the place is on the leg.
+    /// The closest point is a point of the leg at which the way to the place leaves the leg at a right angle,
+    /// or the place is on the leg.
     Within,
     /// The closest point is the end, and the place is past it.
     PastEnd,
@@ -33,8 +33,8 @@ pub struct Closest<T> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("cross track", "along track"))]
 pub struct Track<T> {
-    /// The distance in metres from the line: positive to the right of the way from start to end, negative to the
-    /// left.
+    /// The distance in metres from the line: positive to the right of the way from start to end, negative to
+    /// the left.
     pub across: T,
     /// The distance in metres from the start along the line to its closest point, negative behind the start.
     pub along: T,

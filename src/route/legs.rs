@@ -2,11 +2,12 @@ use super::path::{Path, nearest};
 use super::{Closest, OnPath, Track};
 use crate::{LatLon, Real};
 
-/// A surface on which two places have a shortest line between them, a leg, and a place has a closest point of it.
+/// A surface on which two places have a shortest line between them, a leg, and a place has a closest point of
+/// it.
 ///
 /// Your own surface needs [`leg`](Self::leg), [`length`](Self::length), [`closest_on`](Self::closest_on) and
-/// [`track_beside`](Self::track_beside). Polylines, rings and [`batch::route`](crate::batch::route) then work on
-/// it, too.
+/// [`track_beside`](Self::track_beside). Polylines, rings and [`batch::route`](crate::batch::route) then
+/// work on it, too.
 ///
 /// ```
 /// use terrella::geodesic::GreatCircle;
@@ -49,22 +50,23 @@ pub trait Legs<T: Real> {
     /// A leg, with what depends on it alone: it is computed once for many places.
     type Leg;
 
-    /// Makes the leg between two places. If they coincide, or several shortest lines are as long, it is the one
-    /// that [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse) takes.
+    /// Makes the leg between two places. If they coincide, or several shortest lines are as long, it is the
+    /// one that [`Geodesic::inverse`](crate::geodesic::Geodesic::inverse) takes.
     fn leg(&self, start: LatLon<T>, end: LatLon<T>) -> Self::Leg;
 
     /// Returns the length of a leg in metres.
     fn length(&self, leg: &Self::Leg) -> T;
 
-    /// Finds the point of a leg that is closest to a place. If several points are as close, it is one of them.
+    /// Finds the point of a leg that is closest to a place. If several points are as close, it is one of
+    /// them.
     #[doc(alias = "distance_to_segment")]
     fn closest_on(&self, leg: &Self::Leg, place: LatLon<T>) -> Closest<T>;
 
     /// Measures where a place is beside the whole line of a leg.
     fn track_beside(&self, leg: &Self::Leg, place: LatLon<T>) -> Track<T>;
 
-    /// Returns a distance in metres that [`closest_on`](Self::closest_on) is not below for this place and the leg
-    /// between two places. It is cheap: polylines and rings skip legs by it. By default 0.
+    /// Returns a distance in metres that [`closest_on`](Self::closest_on) is not below for this place and the
+    /// leg between two places. It is cheap: polylines and rings skip legs by it. By default 0.
     #[inline]
     fn at_least(&self, _place: LatLon<T>, _start: LatLon<T>, _end: LatLon<T>) -> T {
         T::ZERO
@@ -83,18 +85,18 @@ pub trait Legs<T: Real> {
         self.track_beside(&self.leg(start, end), place)
     }
 
-    /// Finds the point of a polyline that is closest to a place; none if the polyline has no places. A single place
-    /// is a leg of no length.
+    /// Finds the point of a polyline that is closest to a place; none if the polyline has no places. A single
+    /// place is a leg of no length.
     ///
-    /// Legs that are surely farther than one before are skipped. The answer is that of all legs; of legs that are as
-    /// close it is the first.
+    /// Legs that are surely farther than one before are skipped. The answer is that of all legs; of legs that
+    /// are as close it is the first.
     #[doc(alias = "nearest_point_on_line")]
     fn closest_of_path(&self, place: LatLon<T>, path: impl IntoIterator<Item = LatLon<T>>) -> Option<OnPath<T>> {
         nearest(self, place, path, Path::Open)
     }
 
-    /// Finds the point of a ring that is closest to a place, as [`closest_of_path`](Self::closest_of_path) does. A
-    /// leg closes the ring from the last place to the first; it has no length if they are the same.
+    /// Finds the point of a ring that is closest to a place, as [`closest_of_path`](Self::closest_of_path)
+    /// does. A leg closes the ring from the last place to the first; it has no length if they are the same.
     fn closest_of_ring(&self, place: LatLon<T>, ring: impl IntoIterator<Item = LatLon<T>>) -> Option<OnPath<T>> {
         nearest(self, place, ring, Path::Closed)
     }

@@ -2,14 +2,14 @@
 //!
 //! Latitudes, longitudes and azimuths are in degrees, lengths in metres.
 //!
-//! A leg is the shortest line between two places. The trait [`Legs`] finds its closest point to a place, and how
-//! far a place is beside it. Polylines and rings are written once, for every surface that has legs:
+//! A leg is the shortest line between two places. The trait [`Legs`] finds its closest point to a place, and
+//! how far a place is beside it. Polylines and rings are written once, for every surface that has legs:
 //!
 //! | surface | legs | take it for |
 //! |---|---|---|
 //! | [`Karney`](crate::geodesic::Karney) | geodesics of the ellipsoid | all, in `f64` to nanometres |
 //! | [`GreatCircle`](crate::geodesic::GreatCircle) | great circles of the sphere | speed; up to 0.56 % off |
-//! | [`TangentPlane`] | geodesics of up to some ten kilometres | fields and fences in `f32`, to a centimetre |
+//! | [`TangentPlane`] | geodesics of some ten kilometres | fields and fences in `f32`, to a centimetre |
 //!
 //! ```
 //! use terrella::geodesic::Karney;
@@ -21,7 +21,7 @@
 //! let ship = LatLon::new(57.0, 11.5)?;
 //! let found = earth.closest_of_path(ship, path).expect("a path has a place");
 //! assert_eq!((found.leg, found.closest.reach), (0, Reach::Within));
-//! assert_eq!(format!("{:.3}", found.closest.distance), "35434.022");
+//! assert_eq!(format!("{:.3}", found.closest.distance), "33060.323");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -16,13 +16,13 @@ pub struct EllipsoidLeg<T> {
     line: Line<T>,
 }
 
-/// Steps of Newton's kind before the bracket is halved instead, and steps of both kinds: from a circuit to a ten
-/// millionth of a radius in f64.
+/// Steps of Newton's kind before the bracket is halved instead, and steps of both kinds: from a circuit to a
+/// ten millionth of a radius in f64.
 const FREE_STEPS: u32 = 8;
 const MOST_STEPS: u32 = 40;
 
-/// Parts of a line that are looked at one by one if it is far away, and halvings of a part in which a minimum may be
-/// hidden.
+/// Parts of a line that are looked at one by one if it is far away, and halvings of a part in which a minimum
+/// may be hidden.
 const PARTS: u64 = 24;
 const HALVINGS: u32 = 16;
 
@@ -32,8 +32,8 @@ struct Sight<T> {
     along: T,
     position: LatLon<T>,
     distance: T,
-    /// Sine and cosine of the angle from the way on, away from the place, to the line: the cosine is the derivative
-    /// of the distance along the line, the sine is positive if the place is to the right.
+    /// Sine and cosine of the angle from the way on, away from the place, to the line: the cosine is the
+    /// derivative of the distance along the line, the sine is positive if the place is to the right.
     sin: T,
     cos: T,
     /// The reduced length from the place to the point, and the scale of lines that are parallel there.
@@ -70,9 +70,9 @@ impl<'a, T: Real> Search<'a, T> {
     fn new(karney: &'a Karney<T>, leg: &'a EllipsoidLeg<T>, place: LatLon<T>) -> Self {
         let ellipsoid = karney.ellipsoid();
         let (a, b) = (ellipsoid.a(), ellipsoid.b());
-        // 1/√K is b at the equator and a²/b at the poles. Within (π/2)/√K of a place, K the largest, its circles are
-        // convex, for half of the shortest closed geodesic is longer; beyond (π/2)/√K, K the smallest, and up to
-        // where the lines from the place cross again, the scale is negative (Sturm).
+        // 1/√K is b at the equator and a²/b at the poles. Within (π/2)/√K of a place, K the largest, its
+        // circles are convex, for half of the shortest closed geodesic is longer; beyond (π/2)/√K, K the
+        // smallest, and up to where the lines from the place cross again, the scale is negative (Sturm).
         let (one, two) = (b, a * (a / b));
         let quarter = T::of(FRAC_PI_2);
         Self {
@@ -110,14 +110,15 @@ impl<'a, T: Real> Search<'a, T> {
         }
     }
 
-    /// How far the closest point seems to be from here: the third side of a right triangle, on the sphere with the
-    /// same reduced length and scale. Exact on a sphere of any radius, and in the plane next to the place.
+    /// How far the closest point seems to be from here: the third side of a right triangle, on the sphere
+    /// with the same reduced length and scale. Exact on a sphere of any radius, and in the plane next to the
+    /// place.
     fn step(&self, here: &Sight<T>) -> T {
         -self.radius * atan2(here.reduced * here.cos, here.scale * self.radius)
     }
 
-    /// The closest point of a stretch in which the derivative of the distance changes its sign from − to + once at
-    /// most: by steps as on a sphere, inside a bracket.
+    /// The closest point of a stretch in which the derivative of the distance changes its sign from − to +
+    /// once at most: by steps as on a sphere, inside a bracket.
     fn descend(&self, mut here: Sight<T>, stretch: Stretch<T>) -> Sight<T> {
         // Below this the next step is below rounding.
         let small = T::EPSILON.sqrt() * self.radius;
@@ -168,15 +169,15 @@ impl<'a, T: Real> Search<'a, T> {
         self.among_far(here, stretch)
     }
 
-    /// Two points of a short part of a line, between which the distance has a minimum: it falls at the first and
-    /// rises at the second.
+    /// Two points of a short part of a line, between which the distance has a minimum: it falls at the first
+    /// and rises at the second.
     fn valley(&self, before: Sight<T>, here: Sight<T>) -> Option<[Sight<T>; 2]> {
         let falls = |sight: &Sight<T>| sight.cos < T::ZERO;
         if falls(&before) != falls(&here) {
             return falls(&before).then_some([before, here]);
         }
-        // Is there a minimum and a maximum? The second derivative of the distance has the sign of the scale. It
-        // changes between them, and is here where it must be for that: halve to where it is 0.
+        // Is there a minimum and a maximum? The second derivative of the distance has the sign of the scale.
+        // It changes between them, and is here where it must be for that: halve to where it is 0.
         let toward = if falls(&before) { T::ONE } else { -T::ONE };
         let (mut low, mut high) = (before, here);
         for _ in 0..HALVINGS {
@@ -235,7 +236,38 @@ impl<'a, T: Real> Search<'a, T> {
     }
 }
 
-/// Legs of the ellipsoid are geodesics.
+/// Legs of the ellipsoid are geodesics. The closest point is the global one, also at poles, across ±180° and
+/// on the far side.
+///
+/// Worst error on the Earth, in metres:
+///
+/// | | `f64` | `f32` |
+/// |---|---|---|
+/// | distance, across | 1e-8 | 4 |
+/// | along and the closest point, times cos σ | 1e-8 | 4 |
+///
+/// σ is the distance in radii: a quarter of the way round, the place is as far from a long part of the leg.
+/// For f = 1/10 and −1/150 the distance is within 1e-8; the closest point of a leg of length L to a place at
+/// a distance d within 1e-8 (1 + 0.01 d/L) below 8000 km.
+///
+/// The derivative of the distance along the line is the cosine of the angle between the two lines. A step
+/// goes to where it is 0 in the right triangle of the sphere with the same reduced length and geodesic scale;
+/// the error of the next step is proportional to the square of this one, and on a sphere it is 0. So three or
+/// four inverse problems are usual after the first point, which is that of a sphere. It stays in a bracket,
+/// which is halved after eight steps: there are at most 40.
+///
+/// Within (π/2)/√K of the place, K the largest curvature (9985 km on the Earth), circles about it are convex:
+/// a line has one part inside, along which the distance has one minimum. Farther than (π/2)/√K, K the
+/// smallest (10 052 km), there is none but the ends. If all points of a leg that were seen are beyond the
+/// first limit, 24 parts of it are looked at one by one, and halved up to 16 times where the derivatives at
+/// both ends leave room for a minimum between.
+///
+/// By [`track`](Legs::track) the line goes on to half of a circuit before and behind the start. Its point is the
+/// one next to the closest on a sphere, or the lowest if all are about a quarter of the way round.
+///
+/// S. Baselga and J. C. Martínez-Llario, *Intersection and point-to-line solutions for geodesics on the
+/// ellipsoid*, Stud. Geophys. Geod. 62 (2018); C. F. F. Karney, *Geodesic intersections* (2023), arXiv
+/// 2308.00495, on their steps.
 impl<T: Real> Legs<T> for Karney<T> {
     type Leg = EllipsoidLeg<T>;
 

@@ -4,16 +4,29 @@ use crate::latitude::UnsupportedFlattening;
 use crate::math::{hypot, max, min, select};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// Legs of up to some ten kilometres about an origin, each seen in the plane that touches the ellipsoid at the place:
-/// in `f32` as exact as the places.
+/// Legs of up to some ten kilometres, each seen in the plane that touches the ellipsoid at the place: in
+/// `f32` as exact as the places.
 ///
 /// [`TangentPlane::local`] takes places as offsets from an origin: `f32` holds offsets to 2⁻²⁴ of themselves,
 /// latitudes and longitudes only to 0.4 m. Offsets may reach over ±180°, not over a pole.
 ///
-/// FIGURES
+/// Worst errors on the Earth of distance, closest point, across and along, in metres, for a fence of this
+/// size whose middle is up to 20 km from the origin, at any latitude:
 ///
-/// The ends are projected on the plane, as [`PlanarArea`] does, and from the centre of the sphere of the curvature
-/// at the place: geodesics are straight there, and a right angle to a line through the place is one.
+/// | across | `f64` | `f32` |
+/// |---|---|---|
+/// | 100 m | 2e-9 | 6e-5 |
+/// | 1 km | 3e-8 | 6e-4 |
+/// | 5 km | 4e-6 | 3e-3 |
+/// | 20 km | 2e-4 | 1.5e-2 |
+/// | 100 km | 2.5e-2 | 6e-2 |
+///
+/// To the closest point the rounding of its offset is added: 2 mm in `f32`. Beyond a tenth of the radius the
+/// numbers are finite and mean little.
+///
+/// The ends are projected on the plane, as [`PlanarArea`] does, and from the centre of the sphere of the
+/// curvature at the place: geodesics are straight there, and a right angle to a line through the place is
+/// one.
 ///
 /// ```
 /// use terrella::route::{Legs, Reach, TangentPlane};
@@ -26,7 +39,7 @@ use crate::{Ellipsoid, LatLon, Real};
 /// let drone = LatLon::new(0.01, 0.026)?;
 /// let found = plane.closest_of_ring(drone, fence).expect("a ring has a place");
 /// assert_eq!((found.leg, found.closest.reach), (1, Reach::Within));
-/// assert!((found.closest.distance - 71.36).abs() < 0.01);
+/// assert!((found.closest.distance - 71.542).abs() < 0.001);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -15,20 +15,20 @@ pub struct SphereLeg<T> {
 
 /// Legs of the sphere are arcs of great circles, of at most half a circle.
 ///
-/// The worst error of the distance is 2e-15 (`f32`: 1e-6) of the distance from the start to the place, or of the
-/// radius if that is less: as that of [`GreatCircle::cross_track`]. The closest point is as accurate, divided by the
-/// cosine of the distance in radii.
+/// The worst error of the distance is 2e-15 (`f32`: 1e-6) of the distance from the start to the place, or of
+/// the radius if that is less: as that of [`GreatCircle::cross_track`]. The closest point is as accurate,
+/// divided by the cosine of the distance in radii.
 ///
 /// ```
 /// use terrella::geodesic::GreatCircle;
 /// use terrella::route::{Legs, Reach};
 /// use terrella::LatLon;
-/// let earth = GreatCircle::new(6_371_008.8)?;
+/// let earth = GreatCircle::new(6_371_008.8_f64)?;
 /// let (start, end) = (LatLon::new(55.984_67, 13.544_43)?, LatLon::new(55.984_618, 13.544_295)?);
 /// let place = LatLon::new(55.976_093, 13.547_599)?;
 /// // The circle through both passes the place at 898 m, but not the leg.
 /// let closest = earth.closest(place, start, end);
-/// assert_eq!((closest.reach, closest.distance.round()), (Reach::BeforeStart, 974.0));
+/// assert_eq!((closest.reach, closest.distance.round()), (Reach::PastEnd, 970.0));
 /// assert_eq!(earth.track(place, start, end).across.round(), -898.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

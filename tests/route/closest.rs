@@ -40,8 +40,8 @@ fn stray<T: Scalar>(row: Row<'_>, ellipsoid: &str, found: LatLon<T>) -> f64 {
     (square("x", found.x()) + square("y", found.y()) + square("z", found.z())).sqrt()
 }
 
-/// Worst errors of distances, closest points and lengths along the leg; of across and along the line. Those along are
-/// times the scale, as the cosine of the distance in radii is about.
+/// Worst errors of distances, closest points and lengths along the leg; of across and along the line. Those
+/// along are times the scale, as the cosine of the distance in radii is about.
 fn errors<T: Scalar>(keep: impl Fn(&str, f64) -> bool) -> [f64; 5] {
     let truth = Truth::read("closest");
     let mut worst = [Worst::default(); 5];
@@ -90,7 +90,8 @@ fn on_the_ellipsoid_as_accurate_as_claimed() {
     };
     hold(errors::<f64>(on_earth(0.0, 1e7)), [1e-8; 5]);
     hold(errors::<f64>(on_earth(1e7, 3e7)), [1e-8, 1e-8, 1e-8, 1e-8, 1e-8]);
-    // Flatter ones have azimuths within picometres at the other end: of a leg of 6 m this is 4e-12, seen from 2000 km.
+    // Flatter ones have azimuths within picometres at the other end: of a leg of 6 m this is 4e-12, seen from
+    // 2000 km.
     hold(errors::<f64>(other(8e6)), [1e-8, 1e-5, 1e-5, 1e-8, 1e-5]);
     hold(errors::<f32>(on_earth(0.0, 1e7)), [4.0; 5]);
 }
@@ -157,7 +158,8 @@ fn of_issues() {
     assert_eq!(issues, 7);
 }
 
-/// From a place that is about a quarter of the way round from all points of a leg, the distance has several minima.
+/// From a place that is about a quarter of the way round from all points of a leg, the distance has several
+/// minima.
 #[test]
 fn the_lowest_of_several_minima() {
     let earth = earth();
@@ -245,8 +247,8 @@ fn degenerate_legs() {
     compare::<f32, _>(&GreatCircle::new(6.371e6_f32).unwrap(), quarter, 4.0);
 }
 
-/// The plane about an origin against the ellipsoid in `f64`: worst errors of distance, closest point and along, by the
-/// size of a fence in metres, its middle up to 20 km from the origin.
+/// The plane about an origin against the ellipsoid in `f64`: worst errors of distance, closest point and
+/// along, by the size of a fence in metres, its middle up to 20 km from the origin.
 fn plane_errors<T: Scalar>(size: f64, lat: f64, rounds: usize) -> [f64; 4] {
     let mut rng = Rng::with_seed(7);
     let origin = place(T::of(lat), T::of(11.0));
@@ -302,7 +304,8 @@ fn plane_errors<T: Scalar>(size: f64, lat: f64, rounds: usize) -> [f64; 4] {
 
 #[test]
 fn in_the_plane_as_accurate_as_claimed() {
-    // As the documentation of `TangentPlane` has it: a fence's size, errors in f64 and f32 without the place's own.
+    // As the documentation of `TangentPlane` has it: a fence's size, errors in f64 and f32 without the
+    // place's own.
     let claims = [
         (100.0, 2e-9, 6e-5),
         (1e3, 3e-8, 6e-4),

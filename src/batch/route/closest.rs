@@ -22,8 +22,8 @@ fn beside<T: Real>(track: Track<T>) -> [T; 2] {
     [track.across, track.along]
 }
 
-/// Finds the points of one leg that are closest to places: distances in metres, latitudes and longitudes in degrees,
-/// and distances along the leg, with the bits of [`Legs::closest`]. The leg is made once.
+/// Finds the points of one leg that are closest to places: distances in metres, latitudes and longitudes in
+/// degrees, and distances along the leg, with the bits of [`Legs::closest`]. The leg is made once.
 ///
 /// # Errors
 /// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses a place.
@@ -49,8 +49,8 @@ pub fn closest<T: Real, S: Legs<T>>(
     solve_each(places, found, |row| Ok(point(surface.closest_on(&leg, place(row)?))))
 }
 
-/// Finds the point of each leg of a path that is closest to one place, as [`closest`] does. There is one leg less than
-/// places of the path.
+/// Finds the point of each leg of a path that is closest to one place, as [`closest`] does. There is one leg
+/// less than places of the path.
 ///
 /// # Errors
 /// Those of [`closest`]; an element is a leg. A place of the path that is refused spoils two legs.
@@ -65,7 +65,8 @@ pub fn leg_closest<T: Real, S: Legs<T>>(
     })
 }
 
-/// Measures where places are across and along the whole line of one leg: distances in metres, with the bits of
+/// Measures where places are across and along the whole line of one leg: distances in metres, with the bits
+/// of
 /// [`Legs::track`]. The leg is made once.
 ///
 /// # Errors
@@ -84,8 +85,8 @@ pub fn tracks<T: Real, S: Legs<T>>(
     })
 }
 
-/// Measures where one place is across and along the line of each leg of a path, as [`tracks`] does. There is one leg
-/// less than places of the path.
+/// Measures where one place is across and along the line of each leg of a path, as [`tracks`] does. There is
+/// one leg less than places of the path.
 ///
 /// # Errors
 /// Those of [`closest`]; an element is a leg. A place of the path that is refused spoils two legs.
