@@ -26,10 +26,10 @@ pub struct SphereLeg<T> {
 /// let earth = GreatCircle::new(6_371_008.8_f64)?;
 /// let (start, end) = (LatLon::new(55.984_67, 13.544_43)?, LatLon::new(55.984_618, 13.544_295)?);
 /// let place = LatLon::new(55.976_093, 13.547_599)?;
-/// // The circle through both passes the place at 898 m, but not the leg.
+/// // The circle through both passes the place at 897 m, but not the leg.
 /// let closest = earth.closest(place, start, end);
 /// assert_eq!((closest.reach, closest.distance.round()), (Reach::PastEnd, 970.0));
-/// assert_eq!(earth.track(place, start, end).across.round(), -898.0);
+/// assert_eq!(earth.track(place, start, end).across.round(), -897.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 impl<T: Real> Legs<T> for GreatCircle<T> {
