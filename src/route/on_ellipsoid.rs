@@ -243,8 +243,8 @@ impl<'a, T: Real> Search<'a, T> {
 ///
 /// | | `f64` | `f32` |
 /// |---|---|---|
-/// | distance, across | 1e-8 | 4 |
-/// | along and the closest point, times cos σ | 1e-8 | 4 |
+/// | distance, across | 1e-8 | 8 |
+/// | along and the closest point, times cos σ | 1e-8 | 8 |
 ///
 /// σ is the distance in radii: a quarter of the way round, the place is as far from a long part of the leg.
 /// For f = 1/10 and −1/150 the distance is within 1e-8; the closest point of a leg of length L to a place at
@@ -262,8 +262,8 @@ impl<'a, T: Real> Search<'a, T> {
 /// first limit, 24 parts of it are looked at one by one, and halved up to 16 times where the derivatives at
 /// both ends leave room for a minimum between.
 ///
-/// By [`track`](Legs::track) the line goes on to half of a circuit before and behind the start. Its point is the
-/// one next to the closest on a sphere, or the lowest if all are about a quarter of the way round.
+/// By [`track`](Legs::track) the line goes on to half of a circuit before and behind the start. Its point is
+/// the one next to the closest on a sphere, or the lowest if all are about a quarter of the way round.
 ///
 /// S. Baselga and J. C. Martínez-Llario, *Intersection and point-to-line solutions for geodesics on the
 /// ellipsoid*, Stud. Geophys. Geod. 62 (2018); C. F. F. Karney, *Geodesic intersections* (2023), arXiv
