@@ -53,6 +53,8 @@
 //! | [`healpix::centre`] | [`OnEllipsoid::centre`](crate::healpix::OnEllipsoid::centre) |
 //! | [`route::rhumb_inverse`], [`route::rhumb_area`] | [`Rhumb::inverse`](crate::route::Rhumb::inverse) |
 //! | [`route::rhumb_direct`] | [`Rhumb::direct`](crate::route::Rhumb::direct) |
+//! | [`route::closest`], [`route::tracks`] | [`Legs::closest`](crate::route::Legs::closest), [`track`](crate::route::Legs::track) |
+//! | [`route::leg_closest`], [`route::leg_tracks`] | the same, of and beside each leg of a path |
 //! | [`terrain::containing`] | [`Tile::containing`](crate::terrain::Tile::containing) |
 //! | [`terrain::to_key`], [`terrain::from_key`] | [`Key`](crate::terrain::Key) of a tile, and back |
 //! | [`terrain::places_to_key`], [`terrain::directions_to_key`] | the same, of the tile that contains a place |

@@ -5,3 +5,5 @@
 
 mod heading;
 mod rhumb;
+mod closest;
+mod paths;

@@ -3,3 +3,8 @@
 mod rhumb;
 
 pub use rhumb::{rhumb_area, rhumb_direct, rhumb_inverse};
+//! Closest points of legs to places, on any surface that has [`Legs`](crate::route::Legs), your own included.
+
+mod closest;
+
+pub use closest::{closest, leg_closest, leg_tracks, tracks};

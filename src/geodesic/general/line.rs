@@ -86,6 +86,11 @@ impl<T: Real> Line<T> {
         if !azimuth.is_finite() {
             return Err(GeodesicError::Azimuth(azimuth));
         }
+        Ok(Self::along(solver, from, azimuth))
+    }
+
+    /// The line from a place at a finite azimuth in degrees.
+    pub(in crate::geodesic) fn along(solver: &Solver<T>, from: LatLon<T>, azimuth: T) -> Self {
         let alpha1 = Angle::degrees(rounded(azimuth.remainder(T::of(360.0))));
         let (beta1, _) = solver.parametric(rounded(from.lat()));
         let alpha0 = node(alpha1, beta1);
@@ -104,7 +109,7 @@ impl<T: Real> Line<T> {
         let (c1, c2) = (integrals.c1(epsilon), integrals.c2(epsilon));
         let c3 = integrals.c3(epsilon).map(|c| factor * c);
         let b11 = integrals.sines(&c1, sigma1);
-        Ok(Self {
+        Self {
             solver: *solver,
             lon1: from.lon(),
             alpha0,
@@ -124,7 +129,7 @@ impl<T: Real> Line<T> {
             b21: integrals.sines(&c2, sigma1),
             b31: integrals.sines(&c3, sigma1),
             tau1: sigma1.plus(Angle::radians(b11)),
-        })
+        }
     }
 
     /// Returns the point at a distance in metres from the start; a negative distance lies behind it.

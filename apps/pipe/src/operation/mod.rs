@@ -2,6 +2,7 @@
 
 mod angle;
 mod cell;
+mod closest;
 mod cube;
 mod frame;
 mod geodesic;
@@ -44,6 +45,7 @@ pub const GROUPS: &[Group] = &[
     geodesic::GROUP,
     polygon::GROUP,
     rhumb::GROUP,
+    closest::GROUP,
     sphere::GROUP,
     position::GROUP,
     text::GROUP,

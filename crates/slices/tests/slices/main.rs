@@ -15,6 +15,7 @@ mod polygon;
 mod position;
 mod refused;
 mod rhumb;
+mod route;
 mod scene;
 mod terrain;
 
