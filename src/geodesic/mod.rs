@@ -27,6 +27,7 @@ mod method;
 mod planar_area;
 mod profile;
 
+pub(crate) use angle::{between_poles, longitude_difference, wrapped};
 pub use error::GeodesicError;
 pub use general::{Line, LinePoint};
 pub use karney::{Area, PolygonArea, Solution};

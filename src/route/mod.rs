@@ -1,3 +1,14 @@
 //! Routes and fields: legs, closest points, intersections, rhumb lines, rings and fences.
 //!
 //! Latitudes, longitudes and azimuths are in degrees, lengths in metres.
+
+mod fence;
+mod globe;
+mod ground;
+mod planar;
+mod side;
+
+pub use fence::Fence;
+pub use ground::{Crossing, Ground, Reach};
+pub use planar::Planar;
+pub use side::Side;

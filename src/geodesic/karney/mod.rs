@@ -122,7 +122,7 @@ impl<T: Real> Karney<T> {
         }
     }
 
-    fn ellipsoid(&self) -> Ellipsoid<T> {
+    pub(crate) fn ellipsoid(&self) -> Ellipsoid<T> {
         self.general.ellipsoid
     }
 
