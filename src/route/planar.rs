@@ -14,7 +14,7 @@ use crate::{Ellipsoid, LatLon, Real};
 ///
 /// | from the origin | a place, `f64` | `f32` by offset | an edge across, beside the geodesic |
 /// |---|---|---|---|
-/// | 5 km | 0.01 mm | 1 mm | 0.5 mm |
+/// | 5 km | 0.01 mm | 2 mm | 1 mm |
 /// | 50 km | 1 cm | 2 cm | 0.5 m |
 ///
 /// A place is on an edge ([`Side::Edge`](super::Side::Edge)) if the sign of the triangle's area is not certain in the

@@ -591,7 +591,7 @@ fn whole_numbers(ring: &[[i32; 2]], [x, y]: [i32; 2]) -> Side {
 fn plane_is_as_accurate_as_claimed() {
     let mut rng = Rng::with_seed(11);
     let earth = earth();
-    for (reach, [double, single, bulge]) in [(5e3, [1e-5, 1e-3, 5e-4]), (5e4, [1e-2, 2e-2, 0.5])] {
+    for (reach, [double, single, bulge]) in [(5e3, [1e-5, 2e-3, 1e-3]), (5e4, [1e-2, 2e-2, 0.5])] {
         let mut worst = [Worst::default(); 3];
         for _ in 0..3000 {
             let origin = single_place(&mut rng);
@@ -670,7 +670,6 @@ fn distances_to_a_fence() {
         let error = fence.distance(at(lat, lon)) - degrees * degree;
         assert!(error.abs() < 1e-3, "{lat} {lon} {error}");
     }
-    let _ = Theirs::wgs84().inverse(0.0, 0.0, 1.0, 1.0) as f64;
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod angle;
 mod cell;
 mod cube;
+mod fence;
 mod frame;
 mod geodesic;
 mod healpix;
@@ -40,6 +41,7 @@ pub struct Group {
 pub const GROUPS: &[Group] = &[
     geodesic::GROUP,
     polygon::GROUP,
+    fence::GROUP,
     sphere::GROUP,
     position::GROUP,
     frame::GROUP,
