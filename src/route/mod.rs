@@ -2,12 +2,16 @@
 //!
 //! Latitudes, longitudes and azimuths are in degrees, lengths in metres.
 
+mod arc;
+mod corridor;
 mod fence;
 mod globe;
 mod ground;
 mod planar;
 mod side;
 
+pub use arc::{Arc, InvalidArc, Turn};
+pub use corridor::{Corridor, Outline};
 pub use fence::Fence;
 pub use ground::{Crossing, Ground, Reach};
 pub use planar::Planar;
