@@ -51,6 +51,7 @@
 //! | [`area::fields`] | [`PlanarPolygon`](crate::geodesic::PlanarPolygon) |
 //! | [`healpix::containing`] | [`OnEllipsoid::containing`](crate::healpix::OnEllipsoid::containing) |
 //! | [`healpix::centre`] | [`OnEllipsoid::centre`](crate::healpix::OnEllipsoid::centre) |
+//! | [`route::sides`], [`route::distances`] | [`Fence::side`](crate::route::Fence::side), [`Fence::distance`](crate::route::Fence::distance) |
 //! | [`terrain::containing`] | [`Tile::containing`](crate::terrain::Tile::containing) |
 //! | [`terrain::to_key`], [`terrain::from_key`] | [`Key`](crate::terrain::Key) of a tile, and back |
 //! | [`terrain::places_to_key`], [`terrain::directions_to_key`] | the same, of the tile that contains a place |
@@ -119,6 +120,7 @@ pub mod healpix;
 pub mod latitude;
 pub mod map;
 pub mod position;
+pub mod route;
 pub mod scene;
 pub mod terrain;
 

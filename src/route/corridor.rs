@@ -7,8 +7,8 @@ use crate::{LatLon, Real};
 ///
 /// [`Corridor::leg`] gives the corners about one leg, [`Corridor::outline`] those about the whole line; both run
 /// counter-clockwise, and nothing is allocated. Edges between the corners are geodesics: they are within the tolerance
-/// of the true boundary, on its inner side along arcs. Beside long legs there are corners enough for that, as what runs
-/// beside a geodesic is none.
+/// of the true boundary, along arcs on its inner side, beside legs on its outer side. Long legs have more corners beside
+/// them, as a line at the same distance from a geodesic is no geodesic.
 ///
 /// An outline has round joins on the outer side of a turn, and one corner on the inner side. **It overlaps itself** where
 /// the corridor does: where the line comes back to itself, and where a leg is too short for the inner corner of a turn

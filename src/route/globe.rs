@@ -207,7 +207,7 @@ fn excess<T: Real>(from: LatLon<T>, to: LatLon<T>) -> T {
 }
 
 /// Edges are geodesics of the ellipsoid. A pole has a longitude: between two corners at the same pole an edge turns
-/// there.
+/// there. To the opposite pole it goes along the meridian of the second corner.
 impl<T: Real> Ground<T> for Karney<T> {
     type Place = LatLon<T>;
 

@@ -3,4 +3,6 @@
     missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests
 
+mod arc;
+mod corridor;
 mod fence;

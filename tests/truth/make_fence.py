@@ -34,7 +34,7 @@ def direct(lat, lon, azimuth, distance):
     for _ in range(60):
         step = (ellipe(sigma, -k2) - start - distance / B) / sqrt(1 + k2 * sin(sigma) ** 2)
         sigma -= step
-        if abs(step) < mpf(10) ** -37:
+        if abs(step) < 1000 * mp.eps:
             break
     else:
         raise ArithmeticError((lat, lon, azimuth, distance))

@@ -1,0 +1,5 @@
+//! Routes and fences, for many places.
+
+mod fence;
+
+pub use fence::{distances, sides};
