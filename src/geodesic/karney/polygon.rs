@@ -99,9 +99,12 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     /// use terrella::{Ellipsoid, LatLon};
     /// let area = Area::new(Ellipsoid::WGS84)?;
     /// let mut polygon = area.polygon();
-    /// [(0.0, 0.0), (0.0, 3.0), (3.0, 3.0), (3.0, 0.0)].map(|(lat, lon)| LatLon::new(lat, lon).map(|c| polygon.add(c)));
-    /// polygon.close();
-    /// [(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)].map(|(lat, lon)| LatLon::new(lat, lon).map(|c| polygon.add(c)));
+    /// for ring in [[(0.0, 0.0), (0.0, 3.0), (3.0, 3.0), (3.0, 0.0)], [(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)]] {
+    ///     for (lat, lon) in ring {
+    ///         polygon.add(LatLon::new(lat, lon)?);
+    ///     }
+    ///     polygon.close();
+    /// }
     /// assert!((polygon.area() / 98_460_000_000.0_f64 - 1.0).abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -137,7 +140,9 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     /// use terrella::{Ellipsoid, LatLon};
     /// let area = Area::new(Ellipsoid::WGS84)?;
     /// let mut ring = area.polygon();
-    /// [0.0, -120.0, 120.0].map(|lon| LatLon::new(60.0, lon).map(|corner| ring.add(corner)));
+    /// for lon in [0.0, -120.0, 120.0] {
+    ///     ring.add(LatLon::new(60.0, lon)?);
+    /// }
     /// let whole = 510_065_621_724_088.44_f64;
     /// assert!(ring.area() < 0.0 && (ring.left_area() - ring.area() - whole).abs() < 1.0);
     /// assert_eq!(ring.right_area(), -ring.area());
@@ -191,7 +196,9 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     /// use terrella::{Ellipsoid, LatLon};
     /// let area = Area::new(Ellipsoid::WGS84)?;
     /// let mut line = area.polygon();
-    /// [0.0, 1.0, 2.0].map(|lon| LatLon::new(0.0, lon).map(|corner| line.add(corner)));
+    /// for lon in [0.0, 1.0, 2.0] {
+    ///     line.add(LatLon::new(0.0, lon)?);
+    /// }
     /// assert!((line.length() - 222_638.982_f64).abs() < 1e-3 && line.perimeter() == 2.0 * line.length());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
