@@ -258,7 +258,10 @@ impl<'a, T: Real> Arc<'a, T> {
 
     /// How wide a radian is, so many degrees clockwise from the start.
     fn width(&self, degrees: T) -> T {
-        let end = self.karney.line(self.centre, self.start + degrees).and_then(|line| line.at(self.radius));
+        let end = self
+            .karney
+            .line(self.centre, self.start + degrees)
+            .and_then(|line| line.at(self.radius));
         end.map_or(self.radius, |end| end.reduced_length)
     }
 
@@ -267,7 +270,10 @@ impl<'a, T: Real> Arc<'a, T> {
         if let Some(width) = self.small() {
             return width * radians(degrees.abs());
         }
-        let parts = usize::try_from((degrees.abs() / T::of(45.0)).floor()).unwrap_or(0).min(15) + 1;
+        let parts = usize::try_from((degrees.abs() / T::of(45.0)).floor())
+            .unwrap_or(0)
+            .min(15)
+            + 1;
         let half = degrees / (T::of(2.0) * T::whole(parts as u64));
         let mut sum = T::ZERO;
         for part in 0..parts {
@@ -355,7 +361,11 @@ impl<'a, T: Real> Arc<'a, T> {
         let arc = *self;
         let last = if whole { count } else { count + 1 };
         Ok((0..last).map(move |corner| {
-            let degrees = if corner == count { arc.sweep } else { step * T::whole(corner as u64) };
+            let degrees = if corner == count {
+                arc.sweep
+            } else {
+                step * T::whole(corner as u64)
+            };
             arc.turned(degrees).position
         }))
     }
@@ -367,5 +377,9 @@ fn forward<T: Real>(degrees: T) -> T {
     let circle = T::of(360.0);
     let positive = if turned < T::ZERO { turned + circle } else { turned };
     // What is nearly a whole turn may be rounded to one.
-    if positive >= circle { T::ZERO } else { max(positive, T::ZERO) }
+    if positive >= circle {
+        T::ZERO
+    } else {
+        max(positive, T::ZERO)
+    }
 }

@@ -74,7 +74,11 @@ enum Stage<T> {
         parts: usize,
     },
     /// At one of the corners round a place: by a turn to the left, in so many parts.
-    Round { turn: T, corner: usize, parts: usize },
+    Round {
+        turn: T,
+        corner: usize,
+        parts: usize,
+    },
     Done,
 }
 
@@ -113,7 +117,11 @@ impl<'a, T: Real> Corridor<'a, T> {
     /// Returns the corners of the corridor about one leg of the line, from 0; none if there is no such leg.
     #[must_use]
     pub fn leg(&self, index: usize) -> Outline<'a, T> {
-        let line = self.line.get(index..).and_then(|rest| rest.get(..2)).unwrap_or_default();
+        let line = self
+            .line
+            .get(index..)
+            .and_then(|rest| rest.get(..2))
+            .unwrap_or_default();
         Outline::new(Self { line, ..*self })
     }
 

@@ -1,7 +1,9 @@
 //! Edges on an ellipsoid or a sphere, and the meridian of a place.
 
 use super::{Crossing, Ground, Reach};
-use crate::geodesic::{Area, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, between_poles, longitude_difference, wrapped};
+use crate::geodesic::{
+    Area, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, between_poles, longitude_difference, wrapped,
+};
 use crate::math::{DoubleWord, atan2, max, min, sin_cos, sin_cos_degrees};
 use crate::{LatLon, Real};
 
@@ -199,7 +201,11 @@ fn excess<T: Real>(from: LatLon<T>, to: LatLon<T>) -> T {
     let halved = if x == T::ZERO && y == T::ZERO {
         // From pole to pole the edge turns at the first; between other antipodes it goes north.
         let turned = turn * T::of(core::f64::consts::PI / 180.0);
-        if between_poles(from, to) { turned.copysign(turn * from.lat()) } else { turned }
+        if between_poles(from, to) {
+            turned.copysign(turn * from.lat())
+        } else {
+            turned
+        }
     } else {
         atan2(y, x)
     };

@@ -485,9 +485,15 @@ fn areas_of_either_side() {
         half.add(place(0.0, lon));
     }
     let halves = [half.area(), half.clockwise_area(), half.left_area(), half.right_area()];
-    assert!(halves.into_iter().all(|area| (area - WHOLE / 2.0).abs() < 0.1), "{halves:?}");
+    assert!(
+        halves.into_iter().all(|area| (area - WHOLE / 2.0).abs() < 0.1),
+        "{halves:?}"
+    );
     let none = area.polygon();
-    assert_eq!([none.area(), none.clockwise_area(), none.left_area(), none.right_area()], [0.0; 4]);
+    assert_eq!(
+        [none.area(), none.clockwise_area(), none.left_area(), none.right_area()],
+        [0.0; 4]
+    );
 }
 
 /// Polygons by edges: as by their corners, if the edges are shortest lines; and GeographicLib 2.1.2's `AddEdge` for lines
@@ -498,7 +504,10 @@ fn polygons_by_edges() {
     let karney = Karney::new(Ellipsoid::<f64>::WGS84).unwrap();
     let mut rng = fastrand::Rng::with_seed(22);
     for _ in 0..2000 {
-        let mut corners: Vec<_> = polygon(&mut rng).into_iter().map(|(lat, lon)| place(lat, lon)).collect();
+        let mut corners: Vec<_> = polygon(&mut rng)
+            .into_iter()
+            .map(|(lat, lon)| place(lat, lon))
+            .collect();
         corners.dedup();
         let (mut by_corners, mut by_edges) = (area.polygon(), area.polygon());
         let mut short = true;
@@ -518,17 +527,45 @@ fn polygons_by_edges() {
             continue;
         }
         let apart = (by_corners.area() - by_edges.area()).abs();
-        assert!(apart < 50.0 || WHOLE - apart < 50.0 || by_corners.area().abs() > 0.5 * WHOLE - 50.0, "{corners:?} {apart}");
+        assert!(
+            apart < 50.0 || WHOLE - apart < 50.0 || by_corners.area().abs() > 0.5 * WHOLE - 50.0,
+            "{corners:?} {apart}"
+        );
         assert!((by_corners.perimeter() - by_edges.perimeter()).abs() < 1e-6);
         assert!((by_corners.length() - by_edges.length()).abs() < 1e-6);
     }
     // lat lon, edges, area and perimeter.
     let cases: [((f64, f64), &[(f64, f64)], f64, f64); 5] = [
-        ((10.0, 20.0), &[(45.0, 25000000.0), (120.0, 30000000.0)], -251042298707392.91, 69958237.938332736),
-        ((0.0, 0.0), &[(0.0, 50000000.0), (90.0, 100000000.0)], 127644889087263.78, 160011792.8949188),
-        ((-30.0, -170.0), &[(-0.0, 45000000.0), (-90.0, 30000000.0)], -31962172292491.945, 85069844.588330626),
-        ((80.0, 10.0), &[(10.0, 20000000.0), (-120.0, -5000000.0), (170.0, 90000000.0)], -205869649800250.12, 119593265.39392339),
-        ((5.0, -0.0), &[(180.0, 15000000.0), (-180.0, 60000000.0), (45.0, 100000.0)], 254846253509716.44, 80163235.914716601),
+        (
+            (10.0, 20.0),
+            &[(45.0, 25000000.0), (120.0, 30000000.0)],
+            -251042298707392.91,
+            69958237.938332736,
+        ),
+        (
+            (0.0, 0.0),
+            &[(0.0, 50000000.0), (90.0, 100000000.0)],
+            127644889087263.78,
+            160011792.8949188,
+        ),
+        (
+            (-30.0, -170.0),
+            &[(-0.0, 45000000.0), (-90.0, 30000000.0)],
+            -31962172292491.945,
+            85069844.588330626,
+        ),
+        (
+            (80.0, 10.0),
+            &[(10.0, 20000000.0), (-120.0, -5000000.0), (170.0, 90000000.0)],
+            -205869649800250.12,
+            119593265.39392339,
+        ),
+        (
+            (5.0, -0.0),
+            &[(180.0, 15000000.0), (-180.0, 60000000.0), (45.0, 100000.0)],
+            254846253509716.44,
+            80163235.914716601,
+        ),
     ];
     for (start, edges, right, perimeter) in cases {
         let mut polygon = area.polygon();
@@ -537,7 +574,11 @@ fn polygons_by_edges() {
         for &(azimuth, length) in edges {
             polygon.add_edge(azimuth, length).unwrap();
         }
-        assert!(apart(polygon.area(), right, 1.0) < 20.0, "{start:?} {edges:?} {} {right}", polygon.area());
+        assert!(
+            apart(polygon.area(), right, 1.0) < 20.0,
+            "{start:?} {edges:?} {} {right}",
+            polygon.area()
+        );
         assert!((polygon.perimeter() - perimeter).abs() < 1e-6, "{start:?} {edges:?}");
     }
     let mut polygon = area.polygon();

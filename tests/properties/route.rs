@@ -71,9 +71,19 @@ fn fences<T: Scalar>(bytes: &mut Bytes<'_>) {
         (0, Some(&corner)) => bytes.place_about(corner, false),
         _ => bytes.place(),
     };
-    let ellipsoid: Ellipsoid<T> = if bytes.flag() { Ellipsoid::WGS84 } else { bytes.ellipsoid(-0.1, 0.1) };
+    let ellipsoid: Ellipsoid<T> = if bytes.flag() {
+        Ellipsoid::WGS84
+    } else {
+        bytes.ellipsoid(-0.1, 0.1)
+    };
     let context = format!("{} {ellipsoid:?} {ring:?} {place:?}", T::NAME);
-    laws(&Karney::new(ellipsoid).unwrap(), &ring, place, halves(ellipsoid, &ring), &context);
+    laws(
+        &Karney::new(ellipsoid).unwrap(),
+        &ring,
+        place,
+        halves(ellipsoid, &ring),
+        &context,
+    );
     let sphere = GreatCircle::new(ellipsoid.a()).unwrap();
     let round = Ellipsoid::sphere(ellipsoid.a()).unwrap();
     laws(&sphere, &ring, place, halves(round, &ring), &context);
@@ -135,7 +145,11 @@ fn arcs<T: Scalar>(bytes: &mut Bytes<'_>) {
     let size: f64 = radius.into();
     let rounding = [2e-8, 5.0 + 2e-6 * size][T::CLAIM];
     let length: f64 = arc.length().into();
-    assert!(length >= 0.0 && length <= 6.3 * size + rounding, "{} {length}", context());
+    assert!(
+        length >= 0.0 && length <= 6.3 * size + rounding,
+        "{} {length}",
+        context()
+    );
     for place in [arc.start(), arc.end(), arc.at(T::of(0.5 * length)).unwrap().position] {
         let apart: f64 = earth.distance(centre, place).unwrap().into();
         assert!((apart - size).abs() <= rounding, "{} {apart}", context());

@@ -88,7 +88,10 @@ fn along_and_beside() {
         assert!(turn.abs() < 0.01, "{turn} {there:?} {farther:?}");
         assert!((way.distance - step).abs() < 1e-6 * step + 2e-8);
         // To the right is positive.
-        let right = earth.direct(there.position, there.azimuth + 90.0, radius * 0.1).unwrap().position;
+        let right = earth
+            .direct(there.position, there.azimuth + 90.0, radius * 0.1)
+            .unwrap()
+            .position;
         assert!((arc.cross_track(right) - radius * 0.1).abs() < 3e-8, "{arc:?}");
         assert!((arc.distance(right) - radius * 0.1).abs() < 3e-8 || !arc.abeam(right));
         // Past an end it is the end that is near.
@@ -139,7 +142,10 @@ fn circles_keep_their_tolerance() {
             for (i, &from) in corners.iter().enumerate() {
                 let line = earth.inverse(from, corners[(i + 1) % corners.len()]).unwrap();
                 for part in [0.0, 0.25, 0.5, 0.75] {
-                    let place = earth.direct(from, line.azimuth1, line.distance * part).unwrap().position;
+                    let place = earth
+                        .direct(from, line.azimuth1, line.distance * part)
+                        .unwrap()
+                        .position;
                     let inward = radius - earth.distance(centre, place).unwrap();
                     assert!(inward > -2e-8, "{inward}");
                     worst.add(inward);
@@ -147,12 +153,18 @@ fn circles_keep_their_tolerance() {
             }
             assert!(worst.value() <= tolerance, "{radius} {tolerance} {worst:?}");
             // Not many times as many as needed.
-            assert!(radius > 1e6 || corners.len() <= 4 || worst.value() > 0.5 * tolerance, "{radius} {tolerance} {worst:?}");
+            assert!(
+                radius > 1e6 || corners.len() <= 4 || worst.value() > 0.5 * tolerance,
+                "{radius} {tolerance} {worst:?}"
+            );
         }
     }
     let part = Arc::new(&earth, at(10.0, 20.0), 1e4, 30.0, 77.0).unwrap();
     let corners: Vec<_> = part.corners(1.0).unwrap().collect();
-    assert_eq!((corners.first(), corners.last()), (Some(&part.start()), Some(&part.end())));
+    assert_eq!(
+        (corners.first(), corners.last()),
+        (Some(&part.start()), Some(&part.end()))
+    );
 }
 
 #[test]

@@ -36,7 +36,9 @@ fn from_line(earth: &Karney<f64>, place: LatLon<f64>, line: &[LatLon<f64>]) -> f
         return earth.distance(place, line[0]).unwrap();
     }
     let legs = line.iter().zip(&line[1..]);
-    legs.map(|(&from, &to)| from_leg(earth, place, from, to)).reduce(testkit::minimum).unwrap()
+    legs.map(|(&from, &to)| from_leg(earth, place, from, to))
+        .reduce(testkit::minimum)
+        .unwrap()
 }
 
 /// A line that does not come back to itself: turns of at most 120°, legs far longer than the corridor is wide.
@@ -44,9 +46,16 @@ fn line(rng: &mut Rng, earth: &Karney<f64>, width: f64, legs: usize) -> Vec<LatL
     let mut places = vec![at(170.0 * rng.f64() - 85.0, 360.0 * rng.f64() - 180.0)];
     let mut azimuth = 360.0 * rng.f64();
     for leg in 0..legs {
-        let end = earth.direct(places[leg], azimuth, width * (8.0 + 30.0 * rng.f64())).unwrap();
+        let end = earth
+            .direct(places[leg], azimuth, width * (8.0 + 30.0 * rng.f64()))
+            .unwrap();
         places.push(end.position);
-        azimuth = end.azimuth + if leg % 2 == 0 { 120.0 * rng.f64() } else { -120.0 * rng.f64() };
+        azimuth = end.azimuth
+            + if leg % 2 == 0 {
+                120.0 * rng.f64()
+            } else {
+                -120.0 * rng.f64()
+            };
     }
     places
 }
@@ -75,7 +84,10 @@ fn edges_are_within_the_tolerance() {
             }
         }
         println!("corridor {width}: inner {inner:?} outer {outer:?}");
-        assert!(inner.value() <= tolerance && outer.value() <= tolerance, "{width} {inner:?} {outer:?}");
+        assert!(
+            inner.value() <= tolerance && outer.value() <= tolerance,
+            "{width} {inner:?} {outer:?}"
+        );
     }
 }
 
@@ -103,11 +115,22 @@ fn legs_one_by_one() {
     let mut counts = [0; 2];
     for _ in 0..16 {
         let middle = at(160.0 * rng.f64() - 80.0, 360.0 * rng.f64() - 180.0);
-        let near = |rng: &mut Rng| earth.direct(middle, 360.0 * rng.f64(), 9_000.0 * rng.f64()).unwrap().position;
+        let near = |rng: &mut Rng| {
+            earth
+                .direct(middle, 360.0 * rng.f64(), 9_000.0 * rng.f64())
+                .unwrap()
+                .position
+        };
         let line: Vec<_> = (0..rng.usize(1..6)).map(|_| near(&mut rng)).collect();
         let corridor = Corridor::new(&earth, &line, 1_000.0, 1.0).unwrap();
         let legs: Vec<Vec<_>> = (0..line.len().saturating_sub(1).max(1))
-            .map(|leg| if line.len() == 1 { corridor.outline().collect() } else { corridor.leg(leg).collect() })
+            .map(|leg| {
+                if line.len() == 1 {
+                    corridor.outline().collect()
+                } else {
+                    corridor.leg(leg).collect()
+                }
+            })
             .collect();
         assert_eq!(corridor.leg(line.len()).count(), 0);
         for _ in 0..50 {
@@ -135,15 +158,25 @@ fn repeated_places_and_none() {
     for line in [[here; 1].as_slice(), &[here; 3]] {
         let circle = corners(line);
         assert!(circle.len() > 10);
-        assert!(circle.iter().all(|&corner| (earth.distance(here, corner).unwrap() - 100.0).abs() < 1e-8));
+        assert!(
+            circle
+                .iter()
+                .all(|&corner| (earth.distance(here, corner).unwrap() - 100.0).abs() < 1e-8)
+        );
     }
     let (one, two) = (at(10.0, 20.1), at(10.1, 20.1));
-    assert_eq!(corners(&[here, one, two]), corners(&[here, here, one, one, one, two, two]));
+    assert_eq!(
+        corners(&[here, one, two]),
+        corners(&[here, here, one, one, one, two, two])
+    );
     // There and back: no panic, no end without one.
     assert!(corners(&[here, one, here]).len() < 1000);
     for (width, tolerance) in [(0.0, 1.0), (1e7, 1.0), (f64::NAN, 1.0)] {
         let refused = Corridor::new(&earth, &[here], width, tolerance).unwrap_err();
         assert!(matches!(refused, InvalidArc::Radius(_)));
     }
-    assert_eq!(Corridor::new(&earth, &[here], 1.0, 0.0).err(), Some(InvalidArc::Tolerance(0.0)));
+    assert_eq!(
+        Corridor::new(&earth, &[here], 1.0, 0.0).err(),
+        Some(InvalidArc::Tolerance(0.0))
+    );
 }

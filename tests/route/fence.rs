@@ -59,7 +59,12 @@ fn beside_edges_of_forty_digits() {
         };
         counts[kind] += 1;
         for ring in turned(&ring) {
-            assert_eq!(side(&earth, &ring, here), expected, "{} {ring:?} {here:?} {offset}", row.text("class"));
+            assert_eq!(
+                side(&earth, &ring, here),
+                expected,
+                "{} {ring:?} {here:?} {offset}",
+                row.text("class")
+            );
         }
     }
     assert!(counts.into_iter().all(|count| count >= 40), "{counts:?}");
@@ -73,7 +78,11 @@ fn reports() {
         for ring in turned(&ring(corners)) {
             for &(lat, lon, expected) in places {
                 assert_eq!(side(&earth, &ring, at(lat, lon)), expected, "{ring:?} {lat} {lon}");
-                assert_eq!(side(&sphere, &ring, at(lat, lon)), expected, "sphere {ring:?} {lat} {lon}");
+                assert_eq!(
+                    side(&sphere, &ring, at(lat, lon)),
+                    expected,
+                    "sphere {ring:?} {lat} {lon}"
+                );
             }
         }
     };
@@ -132,7 +141,10 @@ fn reports() {
     // turf #2287: on a diagonal edge, as near as numbers come to it, and corners.
     let diagonal = ring(&[(0.0, 0.0), (0.0, 1.0), (1.0, 2.0), (1.0, 1.0)]);
     let line = earth.inverse(diagonal[1], diagonal[2]).unwrap();
-    let middle = earth.direct(diagonal[1], line.azimuth1, line.distance / 2.0).unwrap().position;
+    let middle = earth
+        .direct(diagonal[1], line.azimuth1, line.distance / 2.0)
+        .unwrap()
+        .position;
     assert_eq!(side(&earth, &diagonal, middle), Edge);
     for &corner in &diagonal {
         assert_eq!(side(&earth, &diagonal, corner), Edge);
@@ -154,7 +166,11 @@ fn rings_of_poles_meridians_and_the_equator() {
         for ring in turned(&ring(corners)) {
             for &(lat, lon, expected) in places {
                 assert_eq!(side(&earth, &ring, at(lat, lon)), expected, "{ring:?} {lat} {lon}");
-                assert_eq!(side(&sphere, &ring, at(lat, lon)), expected, "sphere {ring:?} {lat} {lon}");
+                assert_eq!(
+                    side(&sphere, &ring, at(lat, lon)),
+                    expected,
+                    "sphere {ring:?} {lat} {lon}"
+                );
             }
         }
     };
@@ -244,14 +260,40 @@ fn rings_of_poles_meridians_and_the_equator() {
     );
     // Two squares that touch at a corner.
     check(
-        &[(0.0, 0.0), (5.0, 5.0), (10.0, 0.0), (10.0, 10.0), (5.0, 5.0), (0.0, 10.0)],
-        &[(1.0, 5.0, Inside), (9.0, 5.0, Inside), (5.0, 4.0, Outside), (5.0, 6.0, Outside), (5.0, 5.0, Edge)],
+        &[
+            (0.0, 0.0),
+            (5.0, 5.0),
+            (10.0, 0.0),
+            (10.0, 10.0),
+            (5.0, 5.0),
+            (0.0, 10.0),
+        ],
+        &[
+            (1.0, 5.0, Inside),
+            (9.0, 5.0, Inside),
+            (5.0, 4.0, Outside),
+            (5.0, 6.0, Outside),
+            (5.0, 5.0, Edge),
+        ],
     );
     // One corner and two corners.
-    check(&[(5.0, 5.0)], &[(5.0, 5.0, Edge), (5.0, 6.0, Outside), (6.0, 5.0, Outside), (-5.0, -175.0, Outside)]);
+    check(
+        &[(5.0, 5.0)],
+        &[
+            (5.0, 5.0, Edge),
+            (5.0, 6.0, Outside),
+            (6.0, 5.0, Outside),
+            (-5.0, -175.0, Outside),
+        ],
+    );
     check(
         &[(5.0, 5.0), (5.0, 50.0)],
-        &[(5.0, 5.0, Edge), (0.0, 20.0, Outside), (20.0, 20.0, Outside), (-5.0, -175.0, Outside)],
+        &[
+            (5.0, 5.0, Edge),
+            (0.0, 20.0, Outside),
+            (20.0, 20.0, Outside),
+            (-5.0, -175.0, Outside),
+        ],
     );
     let nothing: [&[LatLon<f64>]; 0] = [];
     assert_eq!(Fence::new(&earth, &nothing).side(at(0.0, 0.0)), Outside);
@@ -354,12 +396,18 @@ fn dot(a: Vector, b: Vector) -> f64 {
 }
 
 fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }
 
 /// The direction of a place from the centre of the Earth.
 fn geocentric(lat: f64, lon: f64) -> Vector {
-    let ecef = Ellipsoid::WGS84.to_ecef(Geodetic::new(at(lat, lon), 0.0).unwrap()).to_array();
+    let ecef = Ellipsoid::WGS84
+        .to_ecef(Geodetic::new(at(lat, lon), 0.0).unwrap())
+        .to_array();
     ecef.map(|x| x / dot(ecef, ecef).sqrt())
 }
 
@@ -430,7 +478,10 @@ fn any_ring(rng: &mut Rng) -> Vec<LatLon<f64>> {
             _ if global => anywhere(rng),
             _ => {
                 let lat = (middle.lat() + size * (2.0 * rng.f64() - 1.0)).clamp(-90.0, 90.0);
-                at(lat, middle.lon() + size * (2.0 * rng.f64() - 1.0) / middle.lat().to_radians().cos())
+                at(
+                    lat,
+                    middle.lon() + size * (2.0 * rng.f64() - 1.0) / middle.lat().to_radians().cos(),
+                )
             }
         };
         ring.push(next);
@@ -477,10 +528,17 @@ fn ways_between_places_cross_dense_rings() {
                 continue;
             };
             let sides = [fence.side(a), fence.side(b)];
-            assert_eq!(sides[0] != sides[1], count % 2 == 1, "{ring:?} {a:?} {b:?} {sides:?} {count}");
+            assert_eq!(
+                sides[0] != sides[1],
+                count % 2 == 1,
+                "{ring:?} {a:?} {b:?} {sides:?} {count}"
+            );
             let sides32 = [fence32.side(one), fence32.side(two)];
             let near = |i: usize| sides32[i] == Side::Edge;
-            assert!(near(0) || near(1) || (sides32[0] != sides32[1]) == (count % 2 == 1), "f32 {ring:?} {a:?} {b:?}");
+            assert!(
+                near(0) || near(1) || (sides32[0] != sides32[1]) == (count % 2 == 1),
+                "f32 {ring:?} {a:?} {b:?}"
+            );
             compared += 1;
             odd += count % 2;
         }
@@ -501,7 +559,12 @@ fn inside_is_the_smaller_side() {
         let middle = anywhere(&mut rng);
         let size = 1.9e7 * rng.f64();
         let corners: Vec<_> = (0..12)
-            .map(|i| earth.direct(middle, -30.0 * f64::from(i), size * (0.9 + 0.1 * rng.f64())).unwrap().position)
+            .map(|i| {
+                earth
+                    .direct(middle, -30.0 * f64::from(i), size * (0.9 + 0.1 * rng.f64()))
+                    .unwrap()
+                    .position
+            })
             .collect();
         let mut polygon = area.polygon();
         corners.iter().for_each(|&corner| polygon.add(corner));
@@ -564,7 +627,10 @@ fn plane_against_whole_numbers() {
         let metres = |point: [i32; 2]| point.map(|x| x as f32 / 2.0);
         let corners: Vec<_> = ring.iter().copied().map(metres).collect();
         let found = Fence::new(&plane, &[&corners]).side(metres(place));
-        assert!(found == exact || (found == Side::Edge && most == 4000), "{ring:?} {place:?} {found:?} {exact:?}");
+        assert!(
+            found == exact || (found == Side::Edge && most == 4000),
+            "{ring:?} {place:?} {found:?} {exact:?}"
+        );
         counts[usize::from(exact == Side::Edge) + 2 * usize::from(exact == Side::Inside)] += 1;
     }
     assert!(counts.into_iter().all(|count| count > 500), "{counts:?}");
@@ -599,7 +665,10 @@ fn plane_is_as_accurate_as_claimed() {
             let plane = Planar::about(Ellipsoid::WGS84, home).unwrap();
             let plane32 = Planar::about(Ellipsoid::WGS84, origin).unwrap();
             let mut to = || {
-                let place = earth.direct(home, 360.0 * rng.f64(), reach * rng.f64().sqrt()).unwrap().position;
+                let place = earth
+                    .direct(home, 360.0 * rng.f64(), reach * rng.f64().sqrt())
+                    .unwrap()
+                    .position;
                 let way = earth.inverse(home, place).unwrap();
                 let (sin, cos) = way.azimuth1.to_radians().sin_cos();
                 (place, [way.distance * sin, way.distance * cos])

@@ -110,11 +110,21 @@ fn arcs<T: Scalar, V: Visitor>(visitor: &mut V, earth: &Karney<T>) {
             sweep * T::of(361.0),
         )?;
         let length = Arc::length(&arc);
-        let corners = Arc::corners(&arc, Arc::radius(&arc) * T::of(0.05)).map(|mut corners| [corners.next(), corners.last()]);
+        let corners =
+            Arc::corners(&arc, Arc::radius(&arc) * T::of(0.05)).map(|mut corners| [corners.next(), corners.last()]);
         Ok::<_, InvalidArc<T>>((
-            (Arc::centre(&arc), Arc::sweep(&arc), length, Arc::at(&arc, length * part)),
+            (
+                Arc::centre(&arc),
+                Arc::sweep(&arc),
+                length,
+                Arc::at(&arc, length * part),
+            ),
             (Arc::start(&arc), Arc::end(&arc), corners),
-            (Arc::abeam(&arc, place), Arc::distance(&arc, place), Arc::cross_track(&arc, place)),
+            (
+                Arc::abeam(&arc, place),
+                Arc::distance(&arc, place),
+                Arc::cross_track(&arc, place),
+            ),
         ))
     });
     visitor.function::<T, _, _>("Arc::between", draw, |([centre, place], [radius, lat, lon, _])| {
@@ -122,7 +132,10 @@ fn arcs<T: Scalar, V: Visitor>(visitor: &mut V, earth: &Karney<T>) {
         let turn = if radius < T::ZERO { Turn::Left } else { Turn::Right };
         let radius = T::abs(radius) * T::of(1e6);
         let sweep = Arc::between(earth, centre, radius, place, other, turn).map(|arc| Arc::sweep(&arc));
-        (sweep, Arc::circle(earth, centre, radius).map(|circle| Arc::end(&circle)))
+        (
+            sweep,
+            Arc::circle(earth, centre, radius).map(|circle| Arc::end(&circle)),
+        )
     });
     let draw = |arguments: &mut Arguments| ([arguments.short::<T>(), arguments.short()], arguments.unit::<T>());
     visitor.function::<T, _, _>("Corridor::new", draw, |([[a, b], [c, d]], width)| {
@@ -168,7 +181,9 @@ impl Bits for Crossing {
 impl<T: Scalar> Bits for InvalidArc<T> {
     fn add_to(&self, hash: &mut Hash) {
         match self {
-            Self::Radius(value) | Self::Azimuth(value) | Self::Sweep(value) | Self::Tolerance(value) => value.add_to(hash),
+            Self::Radius(value) | Self::Azimuth(value) | Self::Sweep(value) | Self::Tolerance(value) => {
+                value.add_to(hash)
+            }
             _ => (),
         }
     }

@@ -171,7 +171,12 @@ impl<T: Real> Area<T> {
     }
 
     /// The edge of a line from its start to a place of it, and where it ends.
-    pub(super) fn direct_edge(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<(Edge<T>, LatLon<T>), GeodesicError<T>> {
+    pub(super) fn direct_edge(
+        &self,
+        from: LatLon<T>,
+        azimuth: T,
+        distance: T,
+    ) -> Result<(Edge<T>, LatLon<T>), GeodesicError<T>> {
         let line = self.karney.line(from, azimuth)?;
         let place = line.place(distance)?;
         let to = place.point.position;

@@ -160,7 +160,11 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     }
 
     fn unsigned(&self, area: T) -> T {
-        if area < T::ZERO { area + self.area.whole().value() } else { area }
+        if area < T::ZERO {
+            area + self.area.whole().value()
+        } else {
+            area
+        }
     }
 
     fn reversed(mut self) -> Self {

@@ -65,7 +65,10 @@ fn places_in_rings() {
         answers("contains", lines.concat()),
         "inside\noutside\nedge\nedge\ninside\noutside\n"
     );
-    assert_eq!(answers("contains --ellipsoid 1000,0 --scalar f32", "1 1 0 0 0 2 2 1\n1 1\n"), "inside\noutside\n");
+    assert_eq!(
+        answers("contains --ellipsoid 1000,0 --scalar f32", "1 1 0 0 0 2 2 1\n1 1\n"),
+        "inside\noutside\n"
+    );
 }
 
 #[test]

@@ -11,8 +11,14 @@ fn every_place<T: Scalar>() {
     let [lat, lon] = places::<T>();
     let earth = Karney::new(Ellipsoid::<T>::WGS84).unwrap();
     let sphere = GreatCircle::new(T::of(6_371_000.0)).unwrap();
-    let ring = [(-20.0, 175.0), (-50.0, -100.0), (60.0, -80.0), (80.0, 100.0), (10.0, 30.0)]
-        .map(|(lat, lon)| LatLon::new(T::of(lat), T::of(lon)).unwrap());
+    let ring = [
+        (-20.0, 175.0),
+        (-50.0, -100.0),
+        (60.0, -80.0),
+        (80.0, 100.0),
+        (10.0, 30.0),
+    ]
+    .map(|(lat, lon)| LatLon::new(T::of(lat), T::of(lon)).unwrap());
     let rings = [ring.as_slice()];
     let (fence, round) = (Fence::new(&earth, &rings), Fence::new(&sphere, &rings));
     for part in parts() {
@@ -34,11 +40,17 @@ fn every_place<T: Scalar>() {
         why: InvalidLatLon::Latitude(T::of(91.0)),
     });
     assert_eq!(batch::route::sides(&fence, [&wrong[0], &wrong[1]], &mut sides), refused);
-    assert_eq!(batch::route::distances(&round, [&wrong[0], &wrong[1]], &mut distances), refused);
+    assert_eq!(
+        batch::route::distances(&round, [&wrong[0], &wrong[1]], &mut distances),
+        refused
+    );
     assert_eq!(sides[0], Side::Outside);
     assert!(distances[0] != distances[0] && distances[1] == distances[1]);
     let lengths = Err(InvalidBatch::Lengths { first: 2, other: 1 });
-    assert_eq!(batch::route::sides(&fence, [&wrong[0], &wrong[1][..1]], &mut sides), lengths);
+    assert_eq!(
+        batch::route::sides(&fence, [&wrong[0], &wrong[1][..1]], &mut sides),
+        lengths
+    );
 }
 
 #[test]
