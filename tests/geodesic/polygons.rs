@@ -496,6 +496,9 @@ fn areas_of_either_side() {
     );
 }
 
+/// Latitude and longitude, azimuths and lengths, area and perimeter.
+type ByEdges = ((f64, f64), &'static [(f64, f64)], f64, f64);
+
 /// Polygons by edges: as by their corners, if the edges are shortest lines; and GeographicLib 2.1.2's `AddEdge` for lines
 /// of several circuits, over poles, along the equator and backwards.
 #[test]
@@ -534,8 +537,7 @@ fn polygons_by_edges() {
         assert!((by_corners.perimeter() - by_edges.perimeter()).abs() < 1e-6);
         assert!((by_corners.length() - by_edges.length()).abs() < 1e-6);
     }
-    // lat lon, edges, area and perimeter.
-    let cases: [((f64, f64), &[(f64, f64)], f64, f64); 5] = [
+    let cases: [ByEdges; 5] = [
         (
             (10.0, 20.0),
             &[(45.0, 25000000.0), (120.0, 30000000.0)],

@@ -76,7 +76,7 @@ fn along_and_beside() {
             sweep.signum() * turn.rem_euclid(360.0)
         });
         worst.add((first.unwrap().length() - length * part).abs() / (2e-8 + 1e-14 * length));
-        assert!(arc.abeam(there.position) || part < 1e-6 || part > 1.0 - 1e-6);
+        assert!(arc.abeam(there.position) || !(1e-6..=1.0 - 1e-6).contains(&part));
         assert!(arc.distance(there.position) < 2e-8);
         // The azimuth of travel is that to a place a little farther.
         let step = radius * 1e-4;

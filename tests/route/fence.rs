@@ -417,7 +417,7 @@ fn dense(theirs: &Theirs, ring: &[LatLon<f64>]) -> Vec<Vector> {
     for (i, from) in ring.iter().enumerate() {
         let to = ring[(i + 1) % ring.len()];
         let (length, azimuth, _, _): (f64, f64, f64, f64) = theirs.inverse(from.lat(), from.lon(), to.lat(), to.lon());
-        let parts = (length / 50_000.0).ceil().max(1.0);
+        let parts = testkit::maximum((length / 50_000.0).ceil(), 1.0);
         for part in 0..parts as u32 {
             let (lat, lon): (f64, f64) =
                 theirs.direct(from.lat(), from.lon(), azimuth, length * f64::from(part) / parts);
