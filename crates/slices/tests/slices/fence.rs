@@ -45,7 +45,7 @@ fn every_place<T: Scalar>() {
         refused
     );
     assert_eq!(sides[0], Side::Outside);
-    assert!(distances[0] != distances[0] && distances[1] == distances[1]);
+    assert!(!distances[0].is_finite() && distances[1].is_finite());
     let lengths = Err(InvalidBatch::Lengths { first: 2, other: 1 });
     assert_eq!(
         batch::route::sides(&fence, [&wrong[0], &wrong[1][..1]], &mut sides),
