@@ -1,4 +1,4 @@
-use super::{Crossing, Ground, Reach, Side};
+use super::{Crossing, EdgeDistance, Ground, Side};
 use crate::Real;
 use crate::math::{max, min};
 
@@ -159,7 +159,7 @@ impl<'a, G: Ground<T>, T: Real> Fence<'a, G, T> {
     }
 }
 
-impl<G: Reach<T>, T: Real> Fence<'_, G, T> {
+impl<G: EdgeDistance<T>, T: Real> Fence<'_, G, T> {
     /// Returns the distance in metres of a place to the nearest edge: negative inside, 0 on an edge. Without an edge
     /// it is infinite.
     ///
@@ -177,8 +177,8 @@ impl<G: Reach<T>, T: Real> Fence<'_, G, T> {
     #[must_use]
     pub fn distance(&self, place: G::Place) -> T {
         let edges = self.rings.iter().flat_map(|ring| edges(ring));
-        let reaches = edges.map(|[from, to]| self.ground.reach(place, from, to));
-        let nearest = reaches.fold(T::ONE / T::ZERO, min);
+        let distances = edges.map(|[from, to]| self.ground.edge_distance(place, from, to));
+        let nearest = distances.fold(T::ONE / T::ZERO, min);
         match self.side(place) {
             Side::Inside => -nearest,
             Side::Outside => nearest,

@@ -1,6 +1,6 @@
 //! Edges on an ellipsoid or a sphere, and the meridian of a place.
 
-use super::{Crossing, Ground, Reach};
+use super::{Crossing, EdgeDistance, Ground};
 use crate::geodesic::{
     Area, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, between_poles, longitude_difference, wrapped,
 };
@@ -259,9 +259,9 @@ impl<T: Real> Ground<T> for GreatCircle<T> {
     }
 }
 
-impl<T: Real> Reach<T> for GreatCircle<T> {
+impl<T: Real> EdgeDistance<T> for GreatCircle<T> {
     /// The worst error is that of [`GreatCircle::cross_track`].
-    fn reach(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
+    fn edge_distance(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
         let globe = Globe {
             method: self,
             radius: self.radius(),

@@ -26,9 +26,9 @@ pub trait Ground<T: Real> {
 }
 
 /// A [`Ground`] that measures how far a place is from an edge.
-pub trait Reach<T: Real>: Ground<T> {
+pub trait EdgeDistance<T: Real>: Ground<T> {
     /// The distance in metres of a place from the edge between two corners.
-    fn reach(&self, place: Self::Place, from: Self::Place, to: Self::Place) -> T;
+    fn edge_distance(&self, place: Self::Place, from: Self::Place, to: Self::Place) -> T;
 }
 
 /// What an edge is to a place.

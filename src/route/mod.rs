@@ -13,6 +13,6 @@ mod side;
 pub use arc::{Arc, InvalidArc, Turn};
 pub use corridor::{Corridor, Outline};
 pub use fence::Fence;
-pub use ground::{Crossing, Ground, Reach};
+pub use ground::{Crossing, EdgeDistance, Ground};
 pub use planar::Planar;
 pub use side::Side;

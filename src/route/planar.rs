@@ -1,4 +1,4 @@
-use super::{Crossing, Ground, Reach};
+use super::{Crossing, EdgeDistance, Ground};
 use crate::geodesic::{PlanarArea, Tangent};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::{hypot, max, min};
@@ -125,9 +125,9 @@ impl<T: Real> Ground<T> for Planar<T> {
     }
 }
 
-impl<T: Real> Reach<T> for Planar<T> {
+impl<T: Real> EdgeDistance<T> for Planar<T> {
     /// The worst error is 4 ε of the distance to the farther corner.
-    fn reach(&self, place: [T; 2], from: [T; 2], to: [T; 2]) -> T {
+    fn edge_distance(&self, place: [T; 2], from: [T; 2], to: [T; 2]) -> T {
         let ([ax, ay], [bx, by]) = (seen(place, from), seen(place, to));
         let [dx, dy] = seen(from, to);
         let length = hypot(dx, dy);

@@ -1,6 +1,6 @@
 use terrella::batch;
 use terrella::geodesic::{Area, GreatCircle, Karney, PolygonArea};
-use terrella::route::{Arc, Corridor, Crossing, Fence, Ground, InvalidArc, Planar, Reach, Side, Turn};
+use terrella::route::{Arc, Corridor, Crossing, EdgeDistance, Fence, Ground, InvalidArc, Planar, Side, Turn};
 use terrella::{Ellipsoid, LatLon};
 
 use crate::batch::{function, into, lent, places};
@@ -56,7 +56,7 @@ fn fences<T: Scalar, V: Visitor>(visitor: &mut V, earth: &Karney<T>) {
         (
             Fence::side(&fence, place),
             Fence::distance(&fence, place),
-            Reach::<T>::reach(&sphere, place, a, b),
+            EdgeDistance::<T>::edge_distance(&sphere, place, a, b),
         )
     });
     let draw = |arguments: &mut Arguments| (ring::<T>(arguments), places::<T>(arguments));

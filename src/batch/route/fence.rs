@@ -1,5 +1,5 @@
 use crate::batch::InvalidBatch;
-use crate::route::{Fence, Ground, Reach, Side};
+use crate::route::{EdgeDistance, Fence, Ground, Side};
 use crate::simd::Tally;
 use crate::{InvalidLatLon, LatLon, Real};
 
@@ -38,7 +38,7 @@ pub fn sides<T: Real, G: Ground<T, Place = LatLon<T>>>(
 ///
 /// # Errors
 /// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses a place: its distance is NaN.
-pub fn distances<T: Real, G: Reach<T, Place = LatLon<T>>>(
+pub fn distances<T: Real, G: EdgeDistance<T, Place = LatLon<T>>>(
     fence: &Fence<'_, G, T>,
     places: [&[T]; 2],
     distances: &mut [T],
