@@ -46,7 +46,7 @@ impl<T: fmt::Debug> core::error::Error for InvalidArc<T> {}
 /// geodesics. In ARINC 424 it is the leg RF.
 ///
 /// Its error is that of [`Karney`]: a place of the arc is within 10 nm (`f32`: 7·10⁻⁷ of the radius and 1 m) of the
-/// circle, distances to it are as exact, its length is exact to 10 nm and 2·10⁻¹⁵ of itself (`f32`: 10⁻⁶).
+/// circle, distances to it are as exact, its length is exact to 2 nm and 10⁻¹⁵ of itself (`f32`: 10⁻⁶).
 ///
 /// The reduced length m₁₂ at the distance of the radius is how wide a radian is there (Karney 2013, section 3). So the
 /// length is its integral over the azimuth, by Gauss's rule with 6 places for each 45°. All geodesics from the centre

@@ -1,4 +1,4 @@
-use super::{Crossing, EdgeDistance, Ground, Side};
+use super::{Crossing, EdgeCrossing, EdgeDistance, Side};
 use crate::Real;
 use crate::math::{max, min};
 
@@ -55,7 +55,7 @@ use crate::math::{max, min};
 /// ```
 #[doc(alias("point in polygon", "geofence", "contains", "covers", "ring"))]
 #[derive(Debug)]
-pub struct Fence<'a, G: Ground<T>, T: Real> {
+pub struct Fence<'a, G: EdgeCrossing<T>, T: Real> {
     ground: &'a G,
     rings: &'a [&'a [G::Place]],
     /// Whether the ends of the meridians are inside, in the north and in the south.
@@ -64,13 +64,13 @@ pub struct Fence<'a, G: Ground<T>, T: Real> {
     bounds: [T; 2],
 }
 
-impl<G: Ground<T>, T: Real> Clone for Fence<'_, G, T> {
+impl<G: EdgeCrossing<T>, T: Real> Clone for Fence<'_, G, T> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<G: Ground<T>, T: Real> Copy for Fence<'_, G, T> {}
+impl<G: EdgeCrossing<T>, T: Real> Copy for Fence<'_, G, T> {}
 
 /// From each corner to the next, and from the last to the first.
 fn edges<P: Copy>(ring: &[P]) -> impl Iterator<Item = [P; 2]> {
@@ -78,7 +78,7 @@ fn edges<P: Copy>(ring: &[P]) -> impl Iterator<Item = [P; 2]> {
     ring.iter().zip(next).map(|(&from, &to)| [from, to])
 }
 
-impl<'a, G: Ground<T>, T: Real> Fence<'a, G, T> {
+impl<'a, G: EdgeCrossing<T>, T: Real> Fence<'a, G, T> {
     /// Makes a fence of rings. Inside a ring is its smaller side.
     #[must_use]
     pub fn new(ground: &'a G, rings: &'a [&'a [G::Place]]) -> Self {

@@ -1,6 +1,6 @@
 //! Edges on an ellipsoid or a sphere, and the meridian of a place.
 
-use super::{Crossing, EdgeDistance, Ground};
+use super::{Crossing, EdgeCrossing, EdgeDistance};
 use crate::geodesic::{
     Area, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, between_poles, longitude_difference, wrapped,
 };
@@ -214,7 +214,7 @@ fn excess<T: Real>(from: LatLon<T>, to: LatLon<T>) -> T {
 
 /// Edges are geodesics of the ellipsoid. A pole has a longitude: between two corners at the same pole an edge turns
 /// there. To the opposite pole it goes along the meridian of the second corner.
-impl<T: Real> Ground<T> for Karney<T> {
+impl<T: Real> EdgeCrossing<T> for Karney<T> {
     type Place = LatLon<T>;
 
     fn northing(&self, place: LatLon<T>) -> T {
@@ -238,7 +238,7 @@ impl<T: Real> Ground<T> for Karney<T> {
 }
 
 /// Edges are great circles. Between antipodes they go over the north pole.
-impl<T: Real> Ground<T> for GreatCircle<T> {
+impl<T: Real> EdgeCrossing<T> for GreatCircle<T> {
     type Place = LatLon<T>;
 
     fn northing(&self, place: LatLon<T>) -> T {

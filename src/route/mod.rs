@@ -4,15 +4,15 @@
 
 mod arc;
 mod corridor;
+mod edge;
 mod fence;
 mod globe;
-mod ground;
 mod planar;
 mod side;
 
 pub use arc::{Arc, InvalidArc, Turn};
 pub use corridor::{Corridor, Outline};
+pub use edge::{Crossing, EdgeCrossing, EdgeDistance};
 pub use fence::Fence;
-pub use ground::{Crossing, EdgeDistance, Ground};
 pub use planar::Planar;
 pub use side::Side;

@@ -1,4 +1,4 @@
-use super::{Crossing, EdgeDistance, Ground};
+use super::{Crossing, EdgeCrossing, EdgeDistance};
 use crate::geodesic::{PlanarArea, Tangent};
 use crate::latitude::UnsupportedFlattening;
 use crate::math::{hypot, max, min};
@@ -86,7 +86,7 @@ fn seen<T: Real>([x, y]: [T; 2], [east, north]: [T; 2]) -> [T; 2] {
 }
 
 /// Edges are straight lines. Nothing far away is inside, unless the ring is asked for to the left and runs clockwise.
-impl<T: Real> Ground<T> for Planar<T> {
+impl<T: Real> EdgeCrossing<T> for Planar<T> {
     type Place = [T; 2];
 
     fn northing(&self, [_, north]: [T; 2]) -> T {

@@ -1,7 +1,7 @@
 //! Laws of the room `route`.
 
 use terrella::geodesic::{Area, Geodesic, GreatCircle, Karney};
-use terrella::route::{Arc, Corridor, Fence, Ground, Planar, Side};
+use terrella::route::{Arc, Corridor, EdgeCrossing, Fence, Planar, Side};
 use terrella::{Ellipsoid, LatLon};
 
 use testkit::bytes::Bytes;
@@ -43,7 +43,7 @@ fn opposite(side: Side) -> Side {
 
 /// Whichever corner comes first and whichever way the ring runs, places are on the same side, and corners on the edge;
 /// what is not to the left is to the right.
-fn laws<T: Scalar, G: Ground<T>>(ground: &G, ring: &[G::Place], place: G::Place, halves: bool, context: &str) {
+fn laws<T: Scalar, G: EdgeCrossing<T>>(ground: &G, ring: &[G::Place], place: G::Place, halves: bool, context: &str) {
     let mut back = ring.to_vec();
     back.reverse();
     let mut turned = ring.to_vec();

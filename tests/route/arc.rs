@@ -31,7 +31,7 @@ fn lengths_are_as_accurate_as_claimed() {
             // What the rounding of start + sweep turns at the start.
             let rounding = if sign < 0.0 { 1e-13 * value("radius") } else { 0.0 };
             assert!(apart <= 2e-8 + rounding, "{arc:?} {apart}");
-            worst.add(row.error("length", length) / (1e-8 + 3e-15 * length));
+            worst.add(row.error("length", length) / (2e-9 + 1e-15 * length));
         }
     }
     println!("arc length f64 {worst:?}");

@@ -4,7 +4,7 @@
 use fastrand::Rng;
 use geographiclib_rs::{DirectGeodesic, Geodesic as Theirs, InverseGeodesic};
 use terrella::geodesic::{Geodesic, GreatCircle, Karney, PlanarArea};
-use terrella::route::{Fence, Ground, Planar, Side};
+use terrella::route::{EdgeCrossing, Fence, Planar, Side};
 use terrella::{Ellipsoid, Geodetic, LatLon};
 use testkit::Worst;
 use testkit::truth::{Scalar, Truth};
@@ -25,7 +25,7 @@ fn sphere() -> GreatCircle<f64> {
     GreatCircle::new(6_371_000.0).unwrap()
 }
 
-fn side<G: Ground<f64, Place = LatLon<f64>>>(ground: &G, ring: &[LatLon<f64>], place: LatLon<f64>) -> Side {
+fn side<G: EdgeCrossing<f64, Place = LatLon<f64>>>(ground: &G, ring: &[LatLon<f64>], place: LatLon<f64>) -> Side {
     Fence::new(ground, &[ring]).side(place)
 }
 

@@ -1,16 +1,27 @@
 """Makes arc.tsv: lengths of arcs of geodesic circles on WGS84.
 
 The arc is at `radius` metres from lat lon, from an azimuth clockwise through `sweep` degrees; lat2 lon2 is its end. The
-length is the integral of the reduced length over the azimuth (Karney 2013, equation 40), with elliptic integrals by mpmath.
+length is the integral of the reduced length over the azimuth (Karney 2013, equation 40); all
+integrals are by Gauss's rule with 24 nodes.
 """
 
 import random
 
-from mpmath import atan2, cos, ellipe, ellipf, hypot, mp, mpf, nstr, pi, quad, radians, sin, sqrt
+from mpmath import atan2, cos, hypot, mp, mpf, nstr, pi, radians, sin, sqrt
+from mpmath.calculus.quadrature import GaussLegendre
 
 from make_fence import B, EP2, F, direct
 
 mp.dps = 30
+
+
+NODES = GaussLegendre(mp).calc_nodes(4, mp.prec)
+
+
+def integral(f, start, end):
+    """By 24 nodes: the integrands are nearly constant."""
+    middle, half = (start + end) / 2, (end - start) / 2
+    return half * sum(weight * f(middle + half * node) for node, weight in NODES)
 
 
 def reduced(lat, azimuth, distance):
@@ -19,17 +30,18 @@ def reduced(lat, azimuth, distance):
     cos0 = hypot(cos(alpha), sin(alpha) * sin(beta))
     sigma1 = atan2(sin(beta), cos(alpha) * cos(beta))
     k2 = EP2 * cos0**2
-    start = ellipe(sigma1, -k2)
+    root = lambda sigma: sqrt(1 + k2 * sin(sigma) ** 2)
     sigma2 = sigma1 + distance / B
     for _ in range(60):
-        step = (ellipe(sigma2, -k2) - start - distance / B) / sqrt(1 + k2 * sin(sigma2) ** 2)
+        step = (integral(root, sigma1, sigma2) - distance / B) / root(sigma2)
         sigma2 -= step
-        if abs(step) < 1000 * mp.eps:
+        if abs(step) < mpf(10) ** -16:
+            # Newton's next step is below the rounding.
+            sigma2 -= (integral(root, sigma1, sigma2) - distance / B) / root(sigma2)
             break
     else:
         raise ArithmeticError((lat, azimuth, distance))
-    root = lambda sigma: sqrt(1 + k2 * sin(sigma) ** 2)
-    j = distance / B - (ellipf(sigma2, -k2) - ellipf(sigma1, -k2))
+    j = integral(lambda sigma: k2 * sin(sigma) ** 2 / root(sigma), sigma1, sigma2)
     return B * (
         root(sigma2) * cos(sigma1) * sin(sigma2) - root(sigma1) * sin(sigma1) * cos(sigma2) - cos(sigma1) * cos(sigma2) * j
     )
@@ -51,8 +63,9 @@ def rows():
         radius = mpf(float(10 ** rng.uniform(1, 6.95)))
         azimuth = mpf(rng.uniform(-180, 180))
         sweep = mpf(float(rng.choice((360, 90, rng.uniform(0, 360), 10 ** rng.uniform(-2, 2)))))
-        places = mp.linspace(azimuth, azimuth + sweep, 4)
-        length = quad(lambda a: reduced(lat, a, radius), places, maxdegree=4) * pi / 180
+        thirds = [azimuth + sweep * third / 3 for third in range(4)]
+        width = lambda a: reduced(lat, a, radius)
+        length = sum(integral(width, *part) for part in zip(thirds, thirds[1:])) * pi / 180
         end = direct(lat, lon, azimuth + sweep, radius)
         inputs = [repr(float(x)) for x in (lat, lon, radius, azimuth, sweep)]
         yield inputs + [nstr(x, 22) for x in (length, end[0], end[1])] + ["arc"]

@@ -1,6 +1,6 @@
 use terrella::batch;
 use terrella::geodesic::{Area, GreatCircle, Karney, PolygonArea};
-use terrella::route::{Arc, Corridor, Crossing, EdgeDistance, Fence, Ground, InvalidArc, Planar, Side, Turn};
+use terrella::route::{Arc, Corridor, Crossing, EdgeCrossing, EdgeDistance, Fence, InvalidArc, Planar, Side, Turn};
 use terrella::{Ellipsoid, LatLon};
 
 use crate::batch::{function, into, lent, places};
@@ -35,15 +35,15 @@ fn fences<T: Scalar, V: Visitor>(visitor: &mut V, earth: &Karney<T>) {
         let fence = Fence::new(earth, &rings);
         let [a, b, ..] = ring;
         let spans = (
-            Ground::<T>::northing(earth, place),
-            Ground::<T>::northings(earth, a, b),
-            Ground::<T>::crossing(earth, place, a, b),
+            EdgeCrossing::<T>::northing(earth, place),
+            EdgeCrossing::<T>::northings(earth, a, b),
+            EdgeCrossing::<T>::crossing(earth, place, a, b),
         );
         (
             Fence::side(&fence, place),
             Fence::contains(&fence, a),
             spans,
-            Ground::<T>::ends(earth, [[a, b], [b, a]].into_iter(), false),
+            EdgeCrossing::<T>::ends(earth, [[a, b], [b, a]].into_iter(), false),
         )
     });
     let Ok(sphere) = GreatCircle::new(Ellipsoid::<T>::WGS84.mean_radius()) else {

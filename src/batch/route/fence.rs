@@ -1,5 +1,5 @@
 use crate::batch::InvalidBatch;
-use crate::route::{EdgeDistance, Fence, Ground, Side};
+use crate::route::{EdgeCrossing, EdgeDistance, Fence, Side};
 use crate::simd::Tally;
 use crate::{InvalidLatLon, LatLon, Real};
 
@@ -25,7 +25,7 @@ use crate::{InvalidLatLon, LatLon, Real};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "contains")]
-pub fn sides<T: Real, G: Ground<T, Place = LatLon<T>>>(
+pub fn sides<T: Real, G: EdgeCrossing<T, Place = LatLon<T>>>(
     fence: &Fence<'_, G, T>,
     places: [&[T]; 2],
     sides: &mut [Side],

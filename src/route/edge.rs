@@ -5,7 +5,7 @@ use crate::Real;
 /// [`GreatCircle`](crate::geodesic::GreatCircle), or [`Planar`](super::Planar).
 ///
 /// From each place a ray goes north: along the meridian to the north pole, in the plane without an end.
-pub trait Ground<T: Real> {
+pub trait EdgeCrossing<T: Real> {
     /// A place on the surface.
     type Place: Copy;
 
@@ -25,8 +25,8 @@ pub trait Ground<T: Real> {
     fn ends(&self, edges: impl Iterator<Item = [Self::Place; 2]>, left: bool) -> [bool; 2];
 }
 
-/// A [`Ground`] that measures how far a place is from an edge.
-pub trait EdgeDistance<T: Real>: Ground<T> {
+/// A [`EdgeCrossing`] that measures how far a place is from an edge.
+pub trait EdgeDistance<T: Real>: EdgeCrossing<T> {
     /// The distance in metres of a place from the edge between two corners.
     fn edge_distance(&self, place: Self::Place, from: Self::Place, to: Self::Place) -> T;
 }
