@@ -42,16 +42,17 @@ impl<T: fmt::Debug> fmt::Display for InvalidArc<T> {
 
 impl<T: fmt::Debug> core::error::Error for InvalidArc<T> {}
 
-/// A leg on a circle about a centre, on the ellipsoid: all its places are at the same distance from the centre, along
-/// geodesics. In ARINC 424 it is the leg RF.
+/// A leg on a circle about a centre, on the ellipsoid: all its places are at the same distance from the
+/// centre, along geodesics. In ARINC 424 it is the leg RF.
 ///
-/// Its error is that of [`Karney`]: a place of the arc is within 10 nm (`f32`: 7·10⁻⁷ of the radius and 1 m) of the
-/// circle, distances to it are as exact, its length is exact to 2 nm and 10⁻¹⁵ of itself (`f32`: 10⁻⁶).
+/// Its error is that of [`Karney`]: a place of the arc is within 10 nm (`f32`: 7·10⁻⁷ of the radius and 1 m)
+/// of the circle, distances to it are as exact, its length is exact to 2 nm and 10⁻¹⁵ of itself (`f32`:
+/// 10⁻⁶).
 ///
-/// The reduced length m₁₂ at the distance of the radius is how wide a radian is there (Karney 2013, section 3). So the
-/// length is its integral over the azimuth, by Gauss's rule with 6 places for each 45°. All geodesics from the centre
-/// meet the circle at a right angle (Gauss's lemma): what is beside the arc is at the difference of the distances from
-/// the centre.
+/// The reduced length m₁₂ at the distance of the radius is how wide a radian is there (Karney 2013, section
+/// 3). So the length is its integral over the azimuth, by Gauss's rule with 6 places for each 45°. All
+/// geodesics from the centre meet the circle at a right angle (Gauss's lemma): what is beside the arc is at
+/// the difference of the distances from the centre.
 ///
 /// ```
 /// use terrella::geodesic::Karney;
@@ -126,11 +127,12 @@ pub(super) fn way<T: Real>(karney: &Karney<T>, from: LatLon<T>, to: LatLon<T>) -
 }
 
 impl<'a, T: Real> Arc<'a, T> {
-    /// Makes the arc about a centre that starts at an azimuth from the centre and goes round by a sweep: clockwise by
-    /// positive degrees, counter-clockwise by negative ones.
+    /// Makes the arc about a centre that starts at an azimuth from the centre and goes round by a sweep:
+    /// clockwise by positive degrees, counter-clockwise by negative ones.
     ///
     /// # Errors
-    /// [`InvalidArc`] unless 0 < radius ≤ 1.5 b (9500 km), the azimuth is finite, and the sweep is in [−360, 360].
+    /// [`InvalidArc`] unless 0 < radius ≤ 1.5 b (9500 km), the azimuth is finite, and the sweep is in [−360,
+    /// 360].
     pub fn new(
         karney: &'a Karney<T>,
         centre: LatLon<T>,
@@ -159,8 +161,8 @@ impl<'a, T: Real> Arc<'a, T> {
         })
     }
 
-    /// Makes the arc about a centre from the azimuth of one place to that of another. The distances of these places from
-    /// the centre do not count. Between the same azimuths the sweep is 0.
+    /// Makes the arc about a centre from the azimuth of one place to that of another. The distances of these
+    /// places from the centre do not count. Between the same azimuths the sweep is 0.
     ///
     /// # Errors
     /// [`InvalidArc::Radius`], as [`new`](Self::new).
@@ -242,8 +244,8 @@ impl<'a, T: Real> Arc<'a, T> {
         }
     }
 
-    /// How wide a radian is on a small circle, with Gauss's curvature of the centre (K = 1/(MN)): s − Ks³/6 + K²s⁵/120.
-    /// In f32 the reduced length is the difference of far longer ones.
+    /// How wide a radian is on a small circle, with Gauss's curvature of the centre (K = 1/(MN)): s − Ks³/6 +
+    /// K²s⁵/120. In f32 the reduced length is the difference of far longer ones.
     fn small(&self) -> Option<T> {
         let ellipsoid = self.karney.ellipsoid();
         let arc = self.radius / ellipsoid.b();
@@ -292,12 +294,12 @@ impl<'a, T: Real> Arc<'a, T> {
         self.length_of(self.sweep)
     }
 
-    /// Returns the place at a distance in metres along the arc from its start, and the azimuth of travel there. Before
-    /// the start and after the end it is on the same circle.
+    /// Returns the place at a distance in metres along the arc from its start, and the azimuth of travel
+    /// there. Before the start and after the end it is on the same circle.
     ///
     /// # Errors
-    /// [`GeodesicError::Distance`] if the distance is infinite or NaN, [`GeodesicError::TooFar`] if it is more than once
-    /// round.
+    /// [`GeodesicError::Distance`] if the distance is infinite or NaN, [`GeodesicError::TooFar`] if it is
+    /// more than once round.
     pub fn at(&self, distance: T) -> Result<Direct<T>, GeodesicError<T>> {
         let circle = T::of(360.0).copysign(self.sweep);
         let round = self.length_of(circle);
@@ -329,7 +331,8 @@ impl<'a, T: Real> Arc<'a, T> {
         forward(turn) <= self.sweep.abs()
     }
 
-    /// Returns the distance in metres of a place from the arc: abeam from the circle, elsewhere from the nearer end.
+    /// Returns the distance in metres of a place from the arc: abeam from the circle, elsewhere from the
+    /// nearer end.
     #[must_use]
     pub fn distance(&self, place: LatLon<T>) -> T {
         let from = way(self.karney, self.centre, place);
@@ -340,16 +343,16 @@ impl<'a, T: Real> Arc<'a, T> {
         min(to(self.start()), to(self.end()))
     }
 
-    /// Returns the distance in metres of a place from the circle, positive to the right of the way round, negative to
-    /// the left.
+    /// Returns the distance in metres of a place from the circle, positive to the right of the way round,
+    /// negative to the left.
     #[must_use]
     pub fn cross_track(&self, place: LatLon<T>) -> T {
         let inward = self.radius - way(self.karney, self.centre, place).distance;
         inward * T::ONE.copysign(self.sweep)
     }
 
-    /// Returns corners on the arc, from its start to its end, or once round a whole circle: the line through them is
-    /// within a tolerance in metres of the arc, on its inner side.
+    /// Returns corners on the arc, from its start to its end, or once round a whole circle: the line through
+    /// them is within a tolerance in metres of the arc, on its inner side.
     ///
     /// # Errors
     /// [`InvalidArc::Tolerance`] unless it is positive and finite, and a million corners are enough.

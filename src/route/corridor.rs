@@ -5,18 +5,19 @@ use crate::{LatLon, Real};
 
 /// What is within a distance of a line of geodesics: a corridor with round ends, as polygons.
 ///
-/// [`Corridor::leg`] gives the corners about one leg, [`Corridor::outline`] those about the whole line; both run
-/// counter-clockwise, and nothing is allocated. Edges between the corners are geodesics: they are within the tolerance
-/// of the true boundary, along arcs on its inner side, beside legs on its outer side. Long legs have more corners beside
-/// them, as a line at the same distance from a geodesic is no geodesic.
+/// [`Corridor::leg`] gives the corners about one leg, [`Corridor::outline`] those about the whole line; both
+/// run counter-clockwise, and nothing is allocated. Edges between the corners are geodesics: they are within
+/// the tolerance of the true boundary, along arcs on its inner side, beside legs on its outer side. Long legs
+/// have more corners beside them, as a line at the same distance from a geodesic is no geodesic.
 ///
-/// An outline has round joins on the outer side of a turn, and one corner on the inner side. **It overlaps itself** where
-/// the corridor does: where the line comes back to itself, and where a leg is too short for the inner corner of a turn
-/// by θ: shorter than w tan(θ/2), w the half width. There it runs round some places twice, which a
-/// [`Fence`](super::Fence) has outside. The corridors of single legs never overlap themselves: a place is within the
-/// corridor if it is inside that of one leg.
+/// An outline has round joins on the outer side of a turn, and one corner on the inner side. **It overlaps
+/// itself** where the corridor does: where the line comes back to itself, and where a leg is too short for
+/// the inner corner of a turn by θ: shorter than w tan(θ/2), w the half width. There it runs round some
+/// places twice, which a [`Fence`](super::Fence) has outside. The corridors of single legs never overlap
+/// themselves: a place is within the corridor if it is inside that of one leg.
 ///
-/// The inner corner of a turn is found as in the plane: it is wrong by about w³/R², for a half width of 10 km by 3 cm.
+/// The inner corner of a turn is found as in the plane: it is wrong by about w³/R², for a half width of 10 km
+/// by 3 cm.
 ///
 /// ```
 /// use terrella::geodesic::Karney;
@@ -86,8 +87,8 @@ impl<'a, T: Real> Corridor<'a, T> {
     /// Makes the corridor of a line of geodesics: all places within half a width in metres of it.
     ///
     /// # Errors
-    /// [`InvalidArc::Radius`] unless 0 < half width ≤ b/10 (635 km); [`InvalidArc::Tolerance`] unless it is positive and
-    /// finite, and a million corners are enough for a circle.
+    /// [`InvalidArc::Radius`] unless 0 < half width ≤ b/10 (635 km); [`InvalidArc::Tolerance`] unless it is
+    /// positive and finite, and a million corners are enough for a circle.
     pub fn new(
         karney: &'a Karney<T>,
         line: &'a [LatLon<T>],
@@ -107,8 +108,8 @@ impl<'a, T: Real> Corridor<'a, T> {
         })
     }
 
-    /// Returns the corners of the corridor about the whole line; none if it has no place, a circle if all its places are
-    /// the same.
+    /// Returns the corners of the corridor about the whole line; none if it has no place, a circle if all its
+    /// places are the same.
     #[must_use]
     pub fn outline(&self) -> Outline<'a, T> {
         Outline::new(*self)

@@ -12,16 +12,16 @@ pub trait EdgeCrossing<T: Real> {
     /// How far north a place is: its latitude in degrees, in the plane metres.
     fn northing(&self, place: Self::Place) -> T;
 
-    /// The northings between which an edge runs, with room for its tolerance. They may be farther apart than need
-    /// be.
+    /// The northings between which an edge runs, with room for its tolerance. They may be farther apart than
+    /// need be.
     fn northings(&self, from: Self::Place, to: Self::Place) -> [T; 2];
 
-    /// What an edge is to a place and its ray. Where the ray runs along an edge, or meets a corner, it counts as
-    /// one that is a little farther east.
+    /// What an edge is to a place and its ray. Where the ray runs along an edge, or meets a corner, it counts
+    /// as one that is a little farther east.
     fn crossing(&self, place: Self::Place, from: Self::Place, to: Self::Place) -> Crossing;
 
-    /// Whether the northern and the southern ends of all meridians are inside a ring of edges: on its smaller side,
-    /// or with `left` to the left of the edges.
+    /// Whether the northern and the southern ends of all meridians are inside a ring of edges: on its smaller
+    /// side, or with `left` to the left of the edges.
     fn ends(&self, edges: impl Iterator<Item = [Self::Place; 2]>, left: bool) -> [bool; 2];
 }
 

@@ -4,36 +4,37 @@ use crate::math::{max, min};
 
 /// A fence of one ring or several, whose edges are shortest lines: says on which side places are.
 ///
-/// A ring is a slice of corners. The last corner is joined to the first; a last one that repeats the first changes
-/// nothing. Rings may run in either direction, round a pole and across the meridian of ±180°; corners may coincide,
-/// rings may touch themselves and each other. A place is inside the fence if it is inside an odd number of the rings:
-/// so a ring in another is a hole. Where a ring crosses itself, what it runs round an even number of times is
-/// outside.
+/// A ring is a slice of corners. The last corner is joined to the first; a last one that repeats the first
+/// changes nothing. Rings may run in either direction, round a pole and across the meridian of ±180°; corners
+/// may coincide, rings may touch themselves and each other. A place is inside the fence if it is inside an
+/// odd number of the rings: so a ring in another is a hole. Where a ring crosses itself, what it runs round
+/// an even number of times is outside.
 ///
 /// Inside is the smaller side of a ring. If both are equal, it is the one to the left of the edges. With
-/// [`Fence::to_the_left`] it is the left one for all rings, which may then hold more than half of the Earth. Of a ring
-/// that runs round both poles an even number of times neither pole is inside.
+/// [`Fence::to_the_left`] it is the left one for all rings, which may then hold more than half of the Earth.
+/// Of a ring that runs round the axis an even number of times, not 0, neither pole is inside.
 ///
 /// | surface | place | edges | [`Side::Edge`] within |
 /// |---|---|---|---|
-/// | [`Karney`](crate::geodesic::Karney) | [`LatLon`](crate::LatLon) | geodesics of the ellipsoid | 15 nm (`f32`: see there) |
-/// | [`GreatCircle`](crate::geodesic::GreatCircle) | [`LatLon`](crate::LatLon) | great circles | 15 nm (`f32`: see there) |
+/// | [`Karney`](crate::geodesic::Karney) | [`LatLon`](crate::LatLon) | geodesics | 15 nm (`f32`: below) |
+/// | [`GreatCircle`](crate::geodesic::GreatCircle) | `LatLon` | great circles | 15 nm (`f32`: below) |
 /// | [`Planar`](super::Planar) | east and north in metres | straight lines | rounding of the plane's numbers |
 ///
-/// The number t of the table is for a body of the Earth's size, and changes with the size. A place is on an edge of
-/// length s₁₂ if it is within t (1 + sin σ/sin σ₁₂) of it: σ₁₂ is s₁₂ in radii, and σ the distance to one of the
-/// corners. For edges of up to 10 000 km that is 2 t at most. Between nearly antipodal corners it is more, as the edge
-/// itself is not known better. In `f32` t is 2·10⁻⁶ of the distance to the corner and 6 µm, at most 10 m. Places
-/// farther away than that are always put on the right side. Which side of a ring is smaller depends on areas whose
-/// errors are those of [`Area`](crate::geodesic::Area): to the left of rings of less than 1 m² (`f32`: 1000 km²) is
-/// not known better than that.
+/// The number t of the table is for a body of the Earth's size, and changes with the size. A place is on an
+/// edge of length s₁₂ if it is within t (1 + sin σ/sin σ₁₂) of it: σ₁₂ is s₁₂ in radii, and σ the distance to
+/// one of the corners. For edges of up to 10 000 km that is 2 t at most. Between nearly antipodal corners it
+/// is more, as the edge itself is not known better. In `f32` t is 2·10⁻⁶ of the distance to the corner and 6
+/// µm, at most 10 m. Places farther away than that are always put on the right side. Which side of a ring is
+/// smaller, and which is the left one of a ring that is not round a pole, is told by its area, with the
+/// errors of [`Area`](crate::geodesic::Area): it may be wrong for a ring within 1 m² (`f32`: 1000 km²) of
+/// one half, and to the left for one of less than that.
 ///
-/// How it works: an edge crosses the meridian from the place to the north pole if its corners are on either side of
-/// it, and if the edge leaves a corner farther to the north than the line from the corner to the place. Shortest
-/// lines from a corner reach a meridian in the order of their azimuths, so this holds on any ellipsoid, for edges of
-/// any length. Edges whose latitudes are far from the place's are not solved. The number of crossings tells on which
-/// side of the ring the place is, relative to the pole; the turns and the area of the ring tell on which side the
-/// pole is.
+/// How it works: an edge crosses the meridian from the place to the north pole if its corners are on either
+/// side of it, and if the edge leaves a corner farther to the north than the line from the corner to the
+/// place. Shortest lines from a corner reach a meridian in the order of their azimuths, so this holds on any
+/// ellipsoid, for edges of any length. Edges whose latitudes are far from the place's are not solved. The
+/// number of crossings tells on which side of the ring the place is, relative to the pole; the turns and the
+/// area of the ring tell on which side the pole is.
 ///
 /// ```
 /// use terrella::geodesic::Karney;
@@ -85,8 +86,8 @@ impl<'a, G: EdgeCrossing<T>, T: Real> Fence<'a, G, T> {
         Self::with(ground, rings, false)
     }
 
-    /// Makes a fence of rings. Inside a ring is to the left of its edges: a ring that runs counter-clockwise holds
-    /// what it runs round, one that runs clockwise holds all the rest.
+    /// Makes a fence of rings. Inside a ring is to the left of its edges: a ring that runs counter-clockwise
+    /// holds what it runs round, one that runs clockwise holds all the rest.
     ///
     /// ```
     /// use terrella::geodesic::GreatCircle;
@@ -160,8 +161,8 @@ impl<'a, G: EdgeCrossing<T>, T: Real> Fence<'a, G, T> {
 }
 
 impl<G: EdgeDistance<T>, T: Real> Fence<'_, G, T> {
-    /// Returns the distance in metres of a place to the nearest edge: negative inside, 0 on an edge. Without an edge
-    /// it is infinite.
+    /// Returns the distance in metres of a place to the nearest edge: negative inside, 0 on an edge. Without
+    /// an edge it is infinite.
     ///
     /// ```
     /// use terrella::route::{Fence, Planar};

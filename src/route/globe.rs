@@ -20,10 +20,11 @@ struct Leg<T> {
     length: T,
 }
 
-/// How far from an edge a place may be and yet be on it, in radii: at a distance of so many radii from the corner.
+/// How far from an edge a place may be and yet be on it, in radii: at a distance of so many radii from the
+/// corner.
 fn tolerance<T: Real>(distance: T) -> T {
-    // In f64 the errors of azimuths and distances on the Earth: 15 nm. In f32 azimuths are rounded to 1e-6 of the
-    // distance.
+    // In f64 the errors of azimuths and distances on the Earth: 15 nm. In f32 azimuths are rounded to 1e-6 of
+    // the distance.
     min(
         T::pick(2.4e-15, 1.5e-6),
         T::pick(1.0, 1e-12) + T::pick(0.0, 2e-6) * distance,
@@ -50,8 +51,8 @@ fn latitudes<T: Real>(from: LatLon<T>, to: LatLon<T>) -> [T; 2] {
     if step.abs() > T::of(90.0) {
         return [T::of(-91.0), T::of(91.0)];
     }
-    // tan β ≤ tan β₁ sec(ω/2): the latitude rises by ½(sec(ω/2) − 1) at most. With |f| ≤ 1/9 it is less than this,
-    // also as ω is not the difference of the longitudes and β not the latitude.
+    // tan β ≤ tan β₁ sec(ω/2): the latitude rises by ½(sec(ω/2) − 1) at most. With |f| ≤ 1/9 it is less than
+    // this, also as ω is not the difference of the longitudes and β not the latitude.
     let bulge = T::of(0.003) * step * step;
     let beyond = |lat: T| if lat > T::ZERO { bulge } else { T::ZERO };
     [south - beyond(-south) - margin, north + beyond(north) + margin]
@@ -99,14 +100,14 @@ impl<M: Geodesic<T>, T: Real> Globe<'_, M, T> {
         if self.touches(&leg, way) {
             return Crossing::Touching;
         }
-        // The place and the other corner are on one side of the corner's meridian: azimuths from the north tell their
-        // order. No edge is south of the south pole.
+        // The place and the other corner are on one side of the corner's meridian: azimuths from the north
+        // tell their order. No edge is south of the south pole.
         let beyond = place.lat() == T::of(-90.0) || azimuth.abs() < way.azimuth1.abs();
         across(crosses && beyond)
     }
 
-    /// Whether a place may be on an edge that does not cross its meridian: only where the meridian of a corner is
-    /// that near.
+    /// Whether a place may be on an edge that does not cross its meridian: only where the meridian of a
+    /// corner is that near.
     fn may_touch(&self, place: LatLon<T>, [from, to]: [T; 2]) -> bool {
         let right = T::of(90.0);
         let side = min(min(from.abs(), to.abs()), right);
@@ -131,8 +132,8 @@ impl<M: Geodesic<T>, T: Real> Globe<'_, M, T> {
         width.abs() * sin <= near + near * (width.abs() / max(reduced, T::of(1e-3)))
     }
 
-    /// Edges that turn at a pole, from one of its longitudes to another, and go along the latter's meridian if they
-    /// go to the other pole.
+    /// Edges that turn at a pole, from one of its longitudes to another, and go along the latter's meridian
+    /// if they go to the other pole.
     fn between_poles(&self, place: LatLon<T>, [from, to]: [LatLon<T>; 2], sides: [T; 2], crosses: bool) -> Crossing {
         let (sin, cos) = sin_cos_degrees(place.lat());
         let [_, side] = sides;
@@ -190,8 +191,8 @@ impl<T: Real> Round<T> {
     }
 }
 
-/// As a sphere's excess, what is between a great circle and the equator: tan(E/2) = tan(λ/2) sin((φ₁ + φ₂)/2) /
-/// cos((φ₂ − φ₁)/2).
+/// As a sphere's excess, what is between a great circle and the equator: tan(E/2) = tan(λ/2) sin((φ₁ + φ₂)/2)
+/// / cos((φ₂ − φ₁)/2).
 fn excess<T: Real>(from: LatLon<T>, to: LatLon<T>) -> T {
     let half = T::of(0.5);
     let turn = longitude_difference(from, to).half().value();
@@ -212,8 +213,8 @@ fn excess<T: Real>(from: LatLon<T>, to: LatLon<T>) -> T {
     halved + halved
 }
 
-/// Edges are geodesics of the ellipsoid. A pole has a longitude: between two corners at the same pole an edge turns
-/// there. To the opposite pole it goes along the meridian of the second corner.
+/// Edges are geodesics of the ellipsoid. A pole has a longitude: between two corners at the same pole an edge
+/// turns there. To the opposite pole it goes along the meridian of the second corner.
 impl<T: Real> EdgeCrossing<T> for Karney<T> {
     type Place = LatLon<T>;
 

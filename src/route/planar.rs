@@ -4,23 +4,23 @@ use crate::latitude::UnsupportedFlattening;
 use crate::math::{hypot, max, min};
 use crate::{Ellipsoid, LatLon, Real};
 
-/// The plane about an origin, for fences of some kilometres: in `f32` on a flight computer, without a trigonometric
-/// function an edge.
+/// The plane about an origin, for fences of some kilometres: in `f32` on a flight computer, without a
+/// trigonometric function an edge.
 ///
 /// Places are `[east, north]` in metres. [`Planar::place`] makes one of a latitude and longitude,
-/// [`Planar::offset`] of an offset from the origin: `f32` holds offsets to 2⁻²⁴ of themselves, latitudes and longitudes
-/// only to 0.4 m. Distances from the origin are true, as in the azimuthal equidistant projection: to the third order in
-/// the distance.
+/// [`Planar::offset`] of an offset from the origin: `f32` holds offsets to 2⁻²⁴ of themselves, latitudes and
+/// longitudes only to 0.4 m. Distances from the origin are true, as in the azimuthal equidistant projection:
+/// to the third order in the distance.
 ///
 /// | from the origin | a place, `f64` | `f32` by offset | an edge across, beside the geodesic |
 /// |---|---|---|---|
 /// | 5 km | 0.01 mm | 2 mm | 1 mm |
 /// | 50 km | 1 cm | 2 cm | 0.5 m |
 ///
-/// A place is on an edge ([`Side::Edge`](super::Side::Edge)) if the sign of the triangle's area is not certain in the
-/// scalar: within 2.5 ε (|a_x b_y| + |a_y b_x|)/s of an edge of length s, where a and b are the corners as seen from the
-/// place; less than 2 mm on a fence of 5 km in `f32`. So `f32` never puts a place on the wrong side of the edge between
-/// the corners that it has.
+/// A place is on an edge ([`Side::Edge`](super::Side::Edge)) if the sign of the triangle's area is not
+/// certain in the scalar: within 2.5 ε (|a_x b_y| + |a_y b_x|)/s of an edge of length s, where a and b are
+/// the corners as seen from the place; less than 2 mm on a fence of 5 km in `f32`. So `f32` never puts a
+/// place on the wrong side of the edge between the corners that it has.
 ///
 /// ```
 /// use terrella::route::{Fence, Planar, Side};
@@ -85,7 +85,8 @@ fn seen<T: Real>([x, y]: [T; 2], [east, north]: [T; 2]) -> [T; 2] {
     [east - x, north - y]
 }
 
-/// Edges are straight lines. Nothing far away is inside, unless the ring is asked for to the left and runs clockwise.
+/// Edges are straight lines. Nothing far away is inside, unless the ring is asked for to the left and runs
+/// clockwise.
 impl<T: Real> EdgeCrossing<T> for Planar<T> {
     type Place = [T; 2];
 

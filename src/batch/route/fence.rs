@@ -3,11 +3,11 @@ use crate::route::{EdgeCrossing, EdgeDistance, Fence, Side};
 use crate::simd::Tally;
 use crate::{InvalidLatLon, LatLon, Real};
 
-/// Finds the sides of a fence that geodetic latitudes and longitudes in degrees are on, those of [`Fence::side`]. A place
-/// that is refused is [`Side::Outside`].
+/// Finds the sides of a fence that geodetic latitudes and longitudes in degrees are on, those of
+/// [`Fence::side`]. A place that is refused is [`Side::Outside`].
 ///
-/// Edges are only solved for places whose latitudes are near theirs and whose meridians they cross: most places cost two
-/// comparisons an edge, those north and south of the fence two at all.
+/// Edges are only solved for places whose latitudes are near theirs and whose meridians they cross: most
+/// places cost two comparisons an edge, those north and south of the fence two at all.
 ///
 /// # Errors
 /// [`InvalidBatch`] if slices have unequal lengths, or [`LatLon::new`] refuses a place.

@@ -157,8 +157,8 @@ impl<T: Real> Line<T> {
         Ok(self.reach(tau12, true, |row, sigma| integrals.sines(row, sigma)))
     }
 
-    /// The degrees of longitude that the line turns through on the way to a place, with whole circles, to 2°. Over a
-    /// pole it is 180, with the sign of the azimuth.
+    /// The degrees of longitude that the line turns through on the way to a place, with whole circles, to 2°.
+    /// Over a pole it is 180, with the sign of the azimuth.
     pub(in crate::geodesic) fn turn(&self, place: &Place<T>) -> T {
         let east = T::ONE.copysign(self.alpha0.sin);
         let sigma2 = place.sigma2;

@@ -57,12 +57,13 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         self.last = Some(corner);
     }
 
-    /// Adds an edge that leaves the last corner at an azimuth in degrees and is so many metres long, and returns the
-    /// corner at its end. A negative length goes backwards, and counts as negative in the perimeter.
+    /// Adds an edge that leaves the last corner at an azimuth in degrees and is so many metres long, and
+    /// returns the corner at its end. A negative length goes backwards, and counts as negative in the
+    /// perimeter.
     ///
-    /// The edge need not be the shortest line to its end: it may go more than half round the Earth, or round it
-    /// several times. Over a pole it goes eastward for the azimuths 0 and 180, westward for −0 and −180. The closing
-    /// edge is the shortest line. Without a corner nothing is added, and nothing returned.
+    /// The edge need not be the shortest line to its end: it may go more than half round the Earth, or round
+    /// it several times. Over a pole it goes eastward for the azimuths 0 and 180, westward for −0 and −180.
+    /// The closing edge is the shortest line. Without a corner nothing is added, and nothing returned.
     ///
     /// ```
     /// use terrella::geodesic::Area;
@@ -91,8 +92,8 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         Ok(Some(end))
     }
 
-    /// Closes the ring: corners that are added next belong to another one. Areas and perimeters of the rings add up.
-    /// So a hole is a ring that runs the other way.
+    /// Closes the ring: corners that are added next belong to another one. Areas and perimeters of the rings
+    /// add up. So a hole is a ring that runs the other way.
     ///
     /// ```
     /// use terrella::geodesic::Area;
@@ -124,16 +125,16 @@ impl<'a, T: Real> PolygonArea<'a, T> {
         self.closed().enclosed()
     }
 
-    /// Returns [`area`](Self::area) with the other sign: positive if the corners run clockwise. For exactly a half of
-    /// the ellipsoid it is positive, too. GeographicLib calls this `reverse`.
+    /// Returns [`area`](Self::area) with the other sign: positive if the corners run clockwise. For exactly a
+    /// half of the ellipsoid it is positive, too. GeographicLib calls this `reverse`.
     #[must_use]
     pub fn clockwise_area(&self) -> T {
         self.closed().reversed().enclosed()
     }
 
-    /// Returns the area in m² to the left of the edges, as what may be more than half of the ellipsoid: as many whole
-    /// ellipsoids are added as bring it into [0, 1) of one. For a ring of less than its rounding that may be a whole
-    /// one. GeographicLib calls this an area without `sign`.
+    /// Returns the area in m² to the left of the edges, as what may be more than half of the ellipsoid: as
+    /// many whole ellipsoids are added as bring it into [0, 1) of one. For a ring of less than its rounding
+    /// that may be a whole one. GeographicLib calls this an area without `sign`.
     ///
     /// ```
     /// use terrella::geodesic::Area;
