@@ -30,6 +30,7 @@ mod profile;
 pub(crate) use angle::{heading, latitude_difference, longitude_difference, off_pole, turns_once};
 pub(crate) use angle::{latitude_difference, longitude_step};
 pub(crate) use angle::wrapped;
+pub(crate) use angle::{between_poles, longitude_difference, wrapped};
 pub use error::GeodesicError;
 pub use general::{Line, LinePoint};
 pub use karney::{Area, PolygonArea, Solution};

@@ -164,6 +164,11 @@ impl<T: Real> PlanarPolygon<T> {
 }
 
 impl<T: Real> Tangent<T> {
+    /// An eighth of the curvature.
+    pub(crate) const fn curvature(&self) -> T {
+        self.curvature
+    }
+
     /// East and north of the first corner in the tangent plane, in metres.
     #[inline(always)]
     pub(crate) fn seen(&self, first: LatLon<T>, corner: LatLon<T>) -> [T; 2] {

@@ -43,3 +43,17 @@ pub use legs::Legs;
 pub use on_ellipsoid::EllipsoidLeg;
 pub use on_plane::{PlaneLeg, TangentPlane};
 pub use on_sphere::SphereLeg;
+mod arc;
+mod corridor;
+mod edge;
+mod fence;
+mod globe;
+mod planar;
+mod side;
+
+pub use arc::{Arc, InvalidArc, Turn};
+pub use corridor::{Corridor, Outline};
+pub use edge::{Crossing, EdgeCrossing, EdgeDistance};
+pub use fence::Fence;
+pub use planar::Planar;
+pub use side::Side;

@@ -7,3 +7,6 @@ mod heading;
 mod rhumb;
 mod closest;
 mod paths;
+mod arc;
+mod corridor;
+mod fence;

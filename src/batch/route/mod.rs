@@ -8,3 +8,8 @@ pub use rhumb::{rhumb_area, rhumb_direct, rhumb_inverse};
 mod closest;
 
 pub use closest::{closest, leg_closest, leg_tracks, tracks};
+//! Routes and fences, for many places.
+
+mod fence;
+
+pub use fence::{distances, sides};

@@ -4,6 +4,7 @@ mod angle;
 mod cell;
 mod closest;
 mod cube;
+mod fence;
 mod frame;
 mod geodesic;
 mod grid;
@@ -46,6 +47,7 @@ pub const GROUPS: &[Group] = &[
     polygon::GROUP,
     rhumb::GROUP,
     closest::GROUP,
+    fence::GROUP,
     sphere::GROUP,
     position::GROUP,
     text::GROUP,

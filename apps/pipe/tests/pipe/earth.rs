@@ -57,6 +57,21 @@ fn geodesics_and_positions() {
 }
 
 #[test]
+fn places_in_rings() {
+    let ring = "0 0 0 10 10 10 10 0";
+    let lines = ["1 1", "-1 1", "0 5", "10 10", "10.03 5", "10.04 5"].map(|place| format!("{place} {ring}\n"));
+    // On the sphere the northern edge rises to 10.037°.
+    assert_eq!(
+        answers("contains", lines.concat()),
+        "inside\noutside\nedge\nedge\ninside\noutside\n"
+    );
+    assert_eq!(
+        answers("contains --ellipsoid 1000,0 --scalar f32", "1 1 0 0 0 2 2 1\n1 1\n"),
+        "inside\noutside\n"
+    );
+}
+
+#[test]
 fn latitudes_are_in_degrees_or_in_radians() {
     for kind in Latitude::ALL.iter().filter(|&&k| k != Latitude::Isometric) {
         let degrees = numbers(&answers(

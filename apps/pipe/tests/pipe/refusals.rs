@@ -39,6 +39,7 @@ fn places_and_vectors() {
         ("polygon", "1 2 3 4"),
         ("polygon-edges", "1 2 3 4"),
         ("polyline", "1 2 3 4"),
+        ("contains", "1 2 3 4"),
         ("gc-mid", "1 2 3 4"),
         ("gc-frac", "1 2 3 4 0.5"),
         ("direction", "1 2"),

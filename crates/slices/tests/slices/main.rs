@@ -6,6 +6,7 @@
 mod area;
 mod batch;
 mod cube;
+mod fence;
 mod frame;
 mod geodesic;
 mod grid;
