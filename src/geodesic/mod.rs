@@ -28,7 +28,7 @@ mod planar_area;
 mod profile;
 
 pub use error::GeodesicError;
-pub use general::{Line, LinePoint};
+pub use general::{Line, LinePoint, Passage};
 pub use karney::{Area, PolygonArea, Solution};
 pub(crate) use karney::{Edge, Edges};
 pub use method::{InvalidMethod, UnknownMethod, Visitor};

@@ -6,8 +6,12 @@ use crate::geodesic::angle::{Angle, wrapped};
 use crate::geodesic::series::{Integrals, Row, sines};
 use crate::geodesic::sphere::node;
 use crate::geodesic::{Direct, GeodesicError};
-use crate::math::{atan2_degrees, hypot, select};
+use crate::math::{atan2_degrees, hypot, max, min, select};
 use crate::{LatLon, Real};
+
+mod passage;
+
+pub use passage::Passage;
 
 /// A geodesic from one place at one azimuth: for many points at different distances on the same line.
 ///
@@ -86,6 +90,11 @@ impl<T: Real> Line<T> {
         if !azimuth.is_finite() {
             return Err(GeodesicError::Azimuth(azimuth));
         }
+        Ok(Self::along(solver, from, azimuth))
+    }
+
+    /// The same at an azimuth known to be finite.
+    pub(in crate::geodesic) fn along(solver: &Solver<T>, from: LatLon<T>, azimuth: T) -> Self {
         let alpha1 = Angle::degrees(rounded(azimuth.remainder(T::of(360.0))));
         let (beta1, _) = solver.parametric(rounded(from.lat()));
         let alpha0 = node(alpha1, beta1);
@@ -104,7 +113,7 @@ impl<T: Real> Line<T> {
         let (c1, c2) = (integrals.c1(epsilon), integrals.c2(epsilon));
         let c3 = integrals.c3(epsilon).map(|c| factor * c);
         let b11 = integrals.sines(&c1, sigma1);
-        Ok(Self {
+        Self {
             solver: *solver,
             lon1: from.lon(),
             alpha0,
@@ -124,7 +133,7 @@ impl<T: Real> Line<T> {
             b21: integrals.sines(&c2, sigma1),
             b31: integrals.sines(&c3, sigma1),
             tau1: sigma1.plus(Angle::radians(b11)),
-        })
+        }
     }
 
     /// Returns the point at a distance in metres from the start; a negative distance lies behind it.
@@ -135,6 +144,18 @@ impl<T: Real> Line<T> {
     /// km) on the Earth.
     pub fn at(&self, distance: T) -> Result<LinePoint<T>, GeodesicError<T>> {
         self.place(distance).map(|place| place.point)
+    }
+
+    /// [`Self::at`] of a distance known to be short enough; of any other, the point at the longest one.
+    pub(crate) fn near(&self, distance: T) -> LinePoint<T> {
+        self.near_place(distance).point
+    }
+
+    fn near_place(&self, distance: T) -> Place<T> {
+        let (tau12, _) = self.mean_arc(distance);
+        let tau12 = min(max(tau12, -longest::<T>()), longest());
+        let integrals = &self.solver.integrals;
+        self.reach(tau12, true, |row, sigma| integrals.sines(row, sigma))
     }
 
     pub(in crate::geodesic) fn alpha0(&self) -> Angle<T> {

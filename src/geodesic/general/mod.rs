@@ -20,7 +20,7 @@ mod newton;
 mod start;
 
 pub use canonical::{Canonical, Course, Segment};
-pub use line::{Line, LinePoint};
+pub use line::{Line, LinePoint, Passage};
 
 use canonical::tiny;
 

@@ -122,7 +122,7 @@ impl<T: Real> Karney<T> {
         }
     }
 
-    fn ellipsoid(&self) -> Ellipsoid<T> {
+    pub(crate) fn ellipsoid(&self) -> Ellipsoid<T> {
         self.general.ellipsoid
     }
 
@@ -179,18 +179,30 @@ impl<T: Real> Karney<T> {
     pub fn line(&self, from: LatLon<T>, azimuth: T) -> Result<Line<T>, GeodesicError<T>> {
         Line::new(&self.general, from, azimuth)
     }
+
+    /// The solution of [`Geodesic::inverse`], which never fails.
+    #[inline(always)]
+    pub(crate) fn between(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
+        if self.fast.exact() {
+            if let Some(line) = self.fast.inverse(from, to) {
+                return line;
+            }
+        }
+        self.general.inverse(from, to).0
+    }
+
+    /// The line of [`Geodesic::inverse`], and its length.
+    pub(crate) fn line_between(&self, from: LatLon<T>, to: LatLon<T>) -> (Line<T>, T) {
+        let way = self.between(from, to);
+        (Line::along(&self.general, from, way.azimuth1), way.distance)
+    }
 }
 
 impl<T: Real> Geodesic<T> for Karney<T> {
     /// Never fails.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        if self.fast.exact() {
-            if let Some(line) = self.fast.inverse(from, to) {
-                return Ok(line);
-            }
-        }
-        Ok(self.general.inverse(from, to).0)
+        Ok(self.between(from, to))
     }
 
     /// # Errors

@@ -7,6 +7,7 @@ mod frame;
 mod geodesic;
 mod healpix;
 mod horizon;
+mod intersection;
 mod latitude;
 mod polygon;
 mod position;
@@ -48,6 +49,7 @@ pub const GROUPS: &[Group] = &[
     cell::GROUP,
     healpix::GROUP,
     horizon::GROUP,
+    intersection::GROUP,
     angle::GROUP,
 ];
 
