@@ -63,7 +63,10 @@ fn closest_is_where_it_is_claimed_in_f32() {
 }
 
 fn earth() -> (Karney<f64>, Intersections<f64>) {
-    (Karney::new(Ellipsoid::WGS84).unwrap(), Intersections::new(Ellipsoid::WGS84).unwrap())
+    (
+        Karney::new(Ellipsoid::WGS84).unwrap(),
+        Intersections::new(Ellipsoid::WGS84).unwrap(),
+    )
 }
 
 /// A line's start, its point far along it and the direction there: the same line, either way.
@@ -72,10 +75,19 @@ fn coincident_lines_are_told() {
     fn told<T: Scalar>(tolerance: f64) {
         let karney = Karney::new(Ellipsoid::<T>::WGS84).unwrap();
         let intersections = Intersections::new(Ellipsoid::<T>::WGS84).unwrap();
-        for (lat, lon, azimuth) in [(0.0, 10.0, 90.0), (20.0, 5.0, 0.0), (-35.0, 170.0, 180.0), (30.0, 40.0, 50.0)] {
+        for (lat, lon, azimuth) in [
+            (0.0, 10.0, 90.0),
+            (20.0, 5.0, 0.0),
+            (-35.0, 170.0, 180.0),
+            (30.0, 40.0, 50.0),
+        ] {
             let line = karney.line(place::<T>(lat, lon), T::of(azimuth)).unwrap();
             let same = intersections.closest(&line, &line);
-            assert_eq!((same.overlap, apart(&same)), (Some(Overlap::Parallel), 0.0), "{lat} {lon}");
+            assert_eq!(
+                (same.overlap, apart(&same)),
+                (Some(Overlap::Parallel), 0.0),
+                "{lat} {lon}"
+            );
             if azimuth == 50.0 {
                 continue;
             }
@@ -85,7 +97,10 @@ fn coincident_lines_are_told() {
                 let met = intersections.closest(&line, &other);
                 assert_eq!(met.overlap, Some(overlap), "{lat} {lon} {azimuth} {turn}");
                 let [x, y] = [met.displacement1, met.displacement2].map(Into::<f64>::into);
-                assert!((x - 1.5e6).abs() < tolerance && (y - ahead * 1.5e6).abs() < tolerance, "{met:?}");
+                assert!(
+                    (x - 1.5e6).abs() < tolerance && (y - ahead * 1.5e6).abs() < tolerance,
+                    "{met:?}"
+                );
             }
         }
     }
@@ -166,7 +181,10 @@ fn touching_segments_intersect() {
                     let reach = karney.line(at, T::ZERO).unwrap().at(T::ZERO).unwrap().position;
                     let gap = Segment::new(&karney, met.unwrap().position, reach).length();
                     let sine = turn.to_radians().sin().abs();
-                    assert!(Into::<f64>::into(gap) * sine <= tolerance, "{start:?} {azimuth} {length} {turn} {gap}");
+                    assert!(
+                        Into::<f64>::into(gap) * sine <= tolerance,
+                        "{start:?} {azimuth} {length} {turn} {gap}"
+                    );
                 }
             }
         }
@@ -181,7 +199,11 @@ fn apart_segments_do_not_intersect() {
     let segment = |[a, b, c, d]: [f64; 4]| Segment::new(&karney, place(a, b), place(c, d));
     let one = segment([0.0, 0.0, 0.0, 40.0]);
     // A millimetre above the end, beyond it, and on the far side.
-    for other in [[1e-8, 40.0, 10.0, 40.0], [-1.0, 40.000_000_01, 1.0, 40.000_000_01], [-10.0, -160.0, 10.0, -160.0]] {
+    for other in [
+        [1e-8, 40.0, 10.0, 40.0],
+        [-1.0, 40.000_000_01, 1.0, 40.000_000_01],
+        [-10.0, -160.0, 10.0, -160.0],
+    ] {
         assert_eq!(intersections.of_segments(&one, &segment(other)), None, "{other:?}");
     }
     // A point is a segment, too.
@@ -202,7 +224,10 @@ fn radials_from_one_place_meet_near_the_antipode() {
     assert!(met.position.lat().abs() < 1e-12 && (met.displacement1 - met.displacement2).abs() < 1e-6);
     let back = karney.line(start, 88.0).unwrap().at(met.displacement1).unwrap();
     assert!((back.position.lon() - met.position.lon()).abs() < 1e-12);
-    assert_eq!(intersections.next(start, f64::NAN, 0.0).unwrap_err().to_string(), "azimuth NaN is not finite");
+    assert_eq!(
+        intersections.next(start, f64::NAN, 0.0).unwrap_err().to_string(),
+        "azimuth NaN is not finite"
+    );
 }
 
 /// Lines that coincide meet next at the conjugate point: on the equator after πb.
@@ -236,8 +261,8 @@ fn all_within_a_distance() {
             let there = other.at(met.displacement2).unwrap().position;
             assert!(Segment::new(&karney, met.position, there).length() < 1e-7);
             for before in &found[..i] {
-                let gap = (before.displacement1 - met.displacement1).abs()
-                    + (before.displacement2 - met.displacement2).abs();
+                let gap =
+                    (before.displacement1 - met.displacement1).abs() + (before.displacement2 - met.displacement2).abs();
                 assert!(gap > 3.9e7, "{before:?} {met:?}");
             }
         }

@@ -50,7 +50,11 @@ fn passages<T: Scalar>(claims: [f64; 5]) {
         worst[4].add(row.error("unrolled", lon) * Into::<f64>::into(lat).to_radians().cos() * degree);
     }
     assert!(never > 3);
-    for ((claim, worst), what) in claims.into_iter().zip(worst).zip(["top", "its distance", "parallel", "meridian", "far"]) {
+    for ((claim, worst), what) in claims
+        .into_iter()
+        .zip(worst)
+        .zip(["top", "its distance", "parallel", "meridian", "far"])
+    {
         println!("{what}: {worst:?}");
         assert!(worst.value() <= claim, "{what}: {worst:?} > {claim}");
     }
@@ -77,7 +81,10 @@ fn special_lines_have_their_passages() {
     // A meridian: the pole, its own meridian at the start, any other at the pole ahead.
     let meridian = line(&karney, [0.0, 10.0, 0.0]);
     let top = meridian.northernmost();
-    assert!(top.point.position.lat() == 90.0 && (top.distance - quarter).abs() < 1e-7, "{top:?}");
+    assert!(
+        top.point.position.lat() == 90.0 && (top.distance - quarter).abs() < 1e-7,
+        "{top:?}"
+    );
     assert!((meridian.southernmost().distance - 3.0 * quarter).abs() < 1e-6);
     assert_eq!(meridian.meets_meridian(10.0).unwrap().distance, 0.0);
     for lon in [-170.0, 190.0, 0.0] {
@@ -111,15 +118,17 @@ fn special_lines_have_their_passages() {
     let polar = line(&karney, [90.0, 10.0, 30.0]);
     assert!(polar.northernmost().distance < 1e-9);
     assert_eq!(polar.meets_parallel(91.0), Err(InvalidLatLon::Latitude(91.0)));
-    assert!(matches!(polar.meets_meridian(f64::NAN), Err(InvalidLatLon::Longitude(_))));
+    assert!(matches!(
+        polar.meets_meridian(f64::NAN),
+        Err(InvalidLatLon::Longitude(_))
+    ));
 }
 
 #[test]
 fn segments_pass_what_lies_on_them() {
     let karney = Karney::new(Ellipsoid::<f64>::WGS84).unwrap();
-    let segment = |[a, b, c, d]: [f64; 4]| {
-        Segment::new(&karney, LatLon::new(a, b).unwrap(), LatLon::new(c, d).unwrap())
-    };
+    let segment =
+        |[a, b, c, d]: [f64; 4]| Segment::new(&karney, LatLon::new(a, b).unwrap(), LatLon::new(c, d).unwrap());
     let flight = segment([40.0, 170.0, 40.0, -100.0]);
     let top = flight.northernmost();
     assert!(top.point.position.lat() > 49.0 && (top.distance - flight.length() / 2.0).abs() < 1e-6);
@@ -142,8 +151,14 @@ fn waypoints_begin_and_end_at_the_places() {
         let segment = Segment::new(&karney, from, to);
         for count in [1, 2, 7, 1000] {
             let points: Vec<_> = segment.parts(count).collect();
-            assert_eq!((points.len(), segment.parts(count).len()), (count as usize + 1, count as usize + 1));
-            assert_eq!((points[0].point.position, points[count as usize].point.position), (from, to));
+            assert_eq!(
+                (points.len(), segment.parts(count).len()),
+                (count as usize + 1, count as usize + 1)
+            );
+            assert_eq!(
+                (points[0].point.position, points[count as usize].point.position),
+                (from, to)
+            );
             // A step that is a whole part of the length makes no rest.
             let step = segment.length() / T::whole(count.into());
             assert_eq!(segment.waypoints(step).unwrap().len(), count as usize + 1, "{count}");
@@ -151,9 +166,18 @@ fn waypoints_begin_and_end_at_the_places() {
         assert_eq!(segment.fraction(T::ONE).unwrap().position, to);
         let nothing = Segment::new(&karney, from, from);
         assert_eq!(nothing.waypoints(T::ONE).unwrap().count(), 1);
-        assert_eq!((nothing.parts(5).count(), nothing.densified(T::ONE).unwrap().count()), (1, 1));
-        assert_eq!(segment.waypoints(T::ZERO).err(), Some(InvalidStep::NotPositive(T::ZERO)));
-        assert_eq!(segment.waypoints(T::of(0.1)).err(), Some(InvalidStep::TooSmall(T::of(0.1))));
+        assert_eq!(
+            (nothing.parts(5).count(), nothing.densified(T::ONE).unwrap().count()),
+            (1, 1)
+        );
+        assert_eq!(
+            segment.waypoints(T::ZERO).err(),
+            Some(InvalidStep::NotPositive(T::ZERO))
+        );
+        assert_eq!(
+            segment.waypoints(T::of(0.1)).err(),
+            Some(InvalidStep::TooSmall(T::of(0.1)))
+        );
         assert!(segment.chords(T::of(f64::NAN)).is_err() && segment.densified(T::of(1e-3)).is_err());
     }
     evenly::<f64>();
@@ -165,7 +189,10 @@ fn waypoints_begin_and_end_at_the_places() {
 /// How far a place is from a segment, by bisection of the distance's slope near a guess.
 fn beside(karney: &Karney<f64>, segment: &Segment<f64>, place: LatLon<f64>, near: f64, width: f64) -> f64 {
     let gap = |s: f64| Segment::new(karney, segment.line().at(s).unwrap().position, place).length();
-    let (mut low, mut high) = (testkit::maximum(near - width, 0.0), testkit::minimum(near + width, segment.length()));
+    let (mut low, mut high) = (
+        testkit::maximum(near - width, 0.0),
+        testkit::minimum(near + width, segment.length()),
+    );
     for _ in 0..60 {
         let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
         if gap(a) < gap(b) { high = b } else { low = a }
@@ -185,8 +212,14 @@ fn dense_lines_keep_the_tolerance() {
         let segment = Segment::new(&karney, place(), place());
         let tolerance = [500.0, 3e3, 3e4][k % 3];
         let points: Vec<_> = segment.densified(tolerance).unwrap().collect();
-        let starts: Vec<_> = points.iter().map(|&[lat, lon]| LatLon::new(lat, lon).unwrap()).collect();
-        assert_eq!([starts[0], *starts.last().unwrap()].map(|p| p.lat()), segment.ends().map(|p| p.lat()));
+        let starts: Vec<_> = points
+            .iter()
+            .map(|&[lat, lon]| LatLon::new(lat, lon).unwrap())
+            .collect();
+        assert_eq!(
+            [starts[0], *starts.last().unwrap()].map(|p| p.lat()),
+            segment.ends().map(|p| p.lat())
+        );
         let mut along = 0.0;
         for (ends, corners) in points.windows(2).zip(starts.windows(2)) {
             let length = Segment::new(&karney, corners[0], corners[1]).length();
@@ -204,7 +237,12 @@ fn dense_lines_keep_the_tolerance() {
                 let point = Ellipsoid::WGS84.to_ecef(point);
                 [point.x(), point.y(), point.z()]
             };
-            let [a, m, b] = [pair[0].distance, (pair[0].distance + pair[1].distance) / 2.0, pair[1].distance].map(ecef);
+            let [a, m, b] = [
+                pair[0].distance,
+                (pair[0].distance + pair[1].distance) / 2.0,
+                pair[1].distance,
+            ]
+            .map(ecef);
             let middle: f64 = (0..3).map(|i| (m[i] - (a[i] + b[i]) / 2.0).powi(2)).sum();
             chords.add(middle.sqrt() / tolerance);
         }

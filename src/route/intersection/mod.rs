@@ -218,7 +218,7 @@ impl<T: Real> Intersections<T> {
     /// Returns where two segments intersect, if they do.
     ///
     /// An end belongs to its segment, and so does a place beyond it by no more than the error of the method:
-    /// 3 nm (`f32`: 1.6 m) and 4.5e-16 (`f32`: 2.4e-7) of both lengths, across the other segment. Segments
+    /// 6 nm (`f32`: 3.1 m) and 9e-16 (`f32`: 4.8e-7) of both lengths, across the other segment. Segments
     /// that coincide intersect in the middle of their common part.
     ///
     /// If a segment is one of several shortest lines between its ends, as between poles, it is the one of
@@ -249,6 +249,11 @@ impl<T: Real> Intersections<T> {
                 overlap: spot.overlap,
             }
         })
+    }
+
+    /// The segment on this ellipsoid.
+    pub(crate) fn segment(&self, from: LatLon<T>, to: LatLon<T>) -> Segment<T> {
+        Segment::new(&self.karney, from, to)
     }
 
     fn answer(&self, one: &Line<T>, spot: Spot<T>) -> Intersection<T> {

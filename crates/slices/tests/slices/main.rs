@@ -9,6 +9,7 @@ mod cube;
 mod frame;
 mod geodesic;
 mod healpix;
+mod intersection;
 mod line;
 mod polygon;
 mod position;

@@ -159,8 +159,9 @@ impl<T: Real> Line<T> {
             let pole = self.pass(Angle { sin, cos: T::ZERO });
             return Ok(pole.moved_to(T::of(90.0).copysign(sin), lon));
         }
-        let sigma2 = self.reach_longitude(ahead * T::of(PI / 180.0));
-        let passage = self.pass(sigma2);
+        // On an oblate ellipsoid it may take more than a circuit of σ.
+        let (arc, sigma2) = self.reach_longitude(ahead * T::of(PI / 180.0));
+        let passage = self.pass_after(arc, sigma2);
         Ok(passage.moved_to(passage.point.position.lat(), lon))
     }
 
@@ -214,8 +215,9 @@ impl<T: Real> Line<T> {
         omega.to_radians() - sigma.to_radians()
     }
 
-    /// σ₂ after a turn of the longitude in radians, in (0, 2π), in the direction of travel; not of a meridian.
-    fn reach_longitude(&self, ahead: T) -> Angle<T> {
+    /// σ₁₂ and σ₂ after a turn of the longitude in radians, in (0, 2π), in the direction of travel; not of a
+    /// meridian.
+    fn reach_longitude(&self, ahead: T) -> (T, Angle<T>) {
         let sin0 = self.alpha0.sin.abs();
         let east = T::ONE.copysign(self.alpha0.sin);
         let integrals = &self.solver.integrals;
@@ -225,23 +227,22 @@ impl<T: Real> Line<T> {
             cos: self.sigma1.cos,
         };
         let omega1 = Angle::of(omega1.sin, omega1.cos);
-        let mut omega12 = ahead;
-        let mut sigma2 = self.sigma1;
-        for _ in 0..T::steps(8, 4) {
+        let at = |omega12: T| {
             let omega2 = omega1.plus(Angle::radians(omega12));
-            sigma2 = Angle::of(omega2.sin, sin0 * omega2.cos);
-            let arc = omega12 - (self.lead(sigma2) - lead1);
+            let sigma2 = Angle::of(omega2.sin, sin0 * omega2.cos);
+            (omega12 - (self.lead(sigma2) - lead1), sigma2, omega2)
+        };
+        let mut omega12 = ahead;
+        for _ in 0..T::steps(8, 4) {
+            let (arc, sigma2, omega2) = at(omega12);
             let beyond = east * (self.a3 * arc + (integrals.sines(&self.c3, sigma2) - self.b31));
             // dλ/dω without the derivative of the sines, which is of second order in f.
             let cos2 = omega2.cos * omega2.cos;
             let slope = T::ONE + east * self.a3 * sin0 / (sin0 * sin0 * cos2 + omega2.sin * omega2.sin);
-            omega12 = omega12 - (omega12 + beyond - ahead) / slope;
+            omega12 -= (omega12 + beyond - ahead) / slope;
         }
-        let omega2 = omega1.plus(Angle::radians(omega12));
-        if omega12 == ahead {
-            return sigma2;
-        }
-        Angle::of(omega2.sin, sin0 * omega2.cos)
+        let (arc, sigma2, _) = at(omega12);
+        (arc, sigma2)
     }
 
     fn pass_parallel(&self, sigma: Angle<T>, lat: T) -> Passage<T> {
@@ -272,6 +273,11 @@ impl<T: Real> Line<T> {
         } else {
             select(arc < T::ZERO, T::ZERO, arc)
         };
+        self.pass_after(arc, sigma2)
+    }
+
+    /// The point at σ₂ = σ₁ + σ₁₂.
+    fn pass_after(&self, arc: T, sigma2: Angle<T>) -> Passage<T> {
         let integrals = &self.solver.integrals;
         let tau12 = arc + (integrals.sines(&self.c1, sigma2) - self.b11);
         let tau12 = select(tau12 < T::ZERO, T::ZERO, tau12);

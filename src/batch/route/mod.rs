@@ -1,0 +1,5 @@
+//! Routes and fences, for many places.
+
+mod intersection;
+
+pub use intersection::of_segments;
