@@ -36,8 +36,11 @@ fn closest<T: Scalar>(claims: [(f64, f64); 2]) {
         };
         let (one, other) = (line(["lat1", "lon1", "azi1"]), line(["lat2", "lon2", "azi2"]));
         let met = Intersections::new(ellipsoid).unwrap().closest(&one, &other);
-        assert_eq!(met.overlap, None);
         let sine = row.value("sine");
+        if sine < 32.0 * T::EPSILON.into() {
+            continue; // lines that the scalar cannot tell apart
+        }
+        assert_eq!(met.overlap, None);
         let errors = [row.error("x", met.displacement1), row.error("y", met.displacement2)];
         let north = row.error("lat", met.position.lat()) * 111.7e3;
         for error in errors.into_iter().chain([north]) {

@@ -21,11 +21,13 @@ ELLIPSOIDS = {"wgs84": WGS84, "oblate": mpf(0.1), "prolate": mpf(-0.1)}
 class Line:
     def __init__(self, f, lat, lon, azimuth):
         self.f, self.b = f, A * (1 - f)
+        pole = abs(lat) == 90
+        if pole:
+            # A meridian, whose longitude tells the direction.
+            lon, azimuth = (lon + 180 - azimuth, mpf(180)) if lat > 0 else (lon + azimuth, mpf(0))
         self.lon = mp.radians(lon)
         alpha = mp.radians(azimuth)
-        sin, cos = (1 - f) * mp.sin(mp.radians(lat)), mp.cos(mp.radians(lat))
-        if abs(lat) == 90:
-            cos = mpf(10) ** -90
+        sin, cos = (1 - f) * mp.sin(mp.radians(lat)), mpf(0) if pole else mp.cos(mp.radians(lat))
         size = mp.sqrt(sin * sin + cos * cos)
         sin, cos = sin / size, cos / size
         cos_azimuth, sin_azimuth = mp.cos(alpha), mp.sin(alpha)
@@ -37,6 +39,9 @@ class Line:
         self.k2 = f * (2 - f) / (1 - f) ** 2 * self.cos0**2
         self.start = self.integral(self.sigma1)
         self.turned1 = self.omega(self.sigma1)
+        if pole:
+            # South of the north pole the meridian is the half circle beyond it.
+            self.turned1 = mp.pi if lat > 0 else mpf(0)
 
     def integral(self, sigma):
         return mp.ellipe(sigma, -self.k2)

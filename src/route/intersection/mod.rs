@@ -268,10 +268,13 @@ impl<T: Real> Intersections<T> {
 
     fn accepted(&self, displacements: [T; 2]) -> Result<(), GeodesicError<T>> {
         let limit = self.karney.ellipsoid().a() * T::pick(1e4, 50.0);
-        // Also false for NaN.
-        match displacements.into_iter().find(|metres| !(metres.abs() <= limit)) {
-            Some(refused) => Err(GeodesicError::refused(refused, limit)),
-            None => Ok(()),
+        for metres in displacements {
+            // False for NaN.
+            let near = metres.abs() <= limit;
+            if !near {
+                return Err(GeodesicError::refused(metres, limit));
+            }
         }
+        Ok(())
     }
 }

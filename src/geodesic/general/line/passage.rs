@@ -30,7 +30,8 @@ impl<T: Real> Passage<T> {
     }
 }
 
-/// Questions about the way ahead: the first circuit of the line, from its start on.
+/// Questions about the way ahead: the first circuit of the line, from its start on. A place behind the start by
+/// no more than 4 roundings of σ, 6 nm (`f32`: 3 m) on the Earth, counts as the start.
 ///
 /// Worst errors on the Earth, of the place and of the distance, in metres:
 ///
