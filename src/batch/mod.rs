@@ -62,6 +62,7 @@
 //! | [`terrain::s2_leaf`] | [`Key::s2_leaf_of`](crate::terrain::Key::s2_leaf_of) |
 //! | [`terrain::sample_places`] | [`Tile::node`](crate::terrain::Tile::node), on the ground |
 //! | [`terrain::sample_directions`] | the same, as unit vectors |
+//! | [`route::of_segments`] | [`Intersections::of_segments`](crate::route::Intersections::of_segments) |
 //! | [`scene::inverse`], [`scene::direct`] | [`AnyMethod`](crate::geodesic::AnyMethod) of a scene |
 //! | [`scene::enu`] | [`AnyView::enu`](crate::scene::AnyView::enu) |
 //! | [`scene::to_geodetic`] | [`AnyOrder::to_geodetic`](crate::scene::AnyOrder::to_geodetic) |

@@ -27,12 +27,11 @@ mod method;
 mod planar_area;
 mod profile;
 
-pub(crate) use angle::{heading, latitude_difference, longitude_difference, off_pole, turns_once};
-pub(crate) use angle::{latitude_difference, longitude_step};
-pub(crate) use angle::wrapped;
-pub(crate) use angle::{between_poles, longitude_difference, wrapped};
+pub(crate) use angle::{
+    between_poles, heading, latitude_difference, longitude_difference, longitude_step, off_pole, turns_once, wrapped,
+};
 pub use error::GeodesicError;
-pub use general::{Line, LinePoint};
+pub use general::{Line, LinePoint, Passage};
 pub use karney::{Area, PolygonArea, Solution};
 pub(crate) use karney::{Edge, Edges};
 pub use method::{InvalidMethod, UnknownMethod, Visitor};

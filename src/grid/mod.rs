@@ -2,14 +2,6 @@
 //! and plus codes.
 //!
 //! Latitudes, longitudes and convergences are in degrees, eastings and northings in metres.
-
-mod geohash;
-mod halves;
-mod plus_code;
-pub mod web_mercator;
-
-pub use geohash::{Geohash, InvalidGeohash};
-pub use plus_code::{InvalidPlusCode, PlusCode, ShortPlusCode};
 //!
 //! | type | what it is | worst error on the Earth, `f64` | `f32` |
 //! |---|---|---|---|
@@ -25,7 +17,9 @@ pub use plus_code::{InvalidPlusCode, PlusCode, ShortPlusCode};
 //! [`batch::grid`](crate::batch::grid) projects whole slices.
 
 mod azimuthal_equidistant;
+mod geohash;
 mod gnomonic;
+mod halves;
 mod hemisphere;
 mod invalid_map;
 mod kruger;
@@ -36,15 +30,18 @@ mod mgrs_text;
 mod outside;
 mod outside_grid;
 mod outside_mgrs;
+mod plus_code;
 mod point_scale;
 mod polar_stereographic;
 mod transverse_mercator;
 mod ups;
 mod utm;
 mod utm_ups;
+pub mod web_mercator;
 mod zone;
 
 pub use azimuthal_equidistant::AzimuthalEquidistant;
+pub use geohash::{Geohash, InvalidGeohash};
 pub use gnomonic::Gnomonic;
 pub use hemisphere::Hemisphere;
 pub use invalid_map::InvalidMap;
@@ -55,6 +52,7 @@ pub use mgrs_text::MgrsText;
 pub use outside::{NotOnMap, OutsideMap};
 pub use outside_grid::OutsideGrid;
 pub use outside_mgrs::OutsideMgrs;
+pub use plus_code::{InvalidPlusCode, PlusCode, ShortPlusCode};
 pub use point_scale::PointScale;
 pub use polar_stereographic::PolarStereographic;
 pub use transverse_mercator::TransverseMercator;

@@ -29,6 +29,12 @@ pub trait EdgeCrossing<T: Real> {
 pub trait EdgeDistance<T: Real>: EdgeCrossing<T> {
     /// The distance in metres of a place from the edge between two corners.
     fn edge_distance(&self, place: Self::Place, from: Self::Place, to: Self::Place) -> T;
+
+    /// A distance in metres that [`edge_distance`](Self::edge_distance) is not below. It is cheap: edges that are
+    /// farther than another are skipped by it. By default 0.
+    fn edge_at_least(&self, _place: Self::Place, _from: Self::Place, _to: Self::Place) -> T {
+        T::ZERO
+    }
 }
 
 /// What an edge is to a place.

@@ -177,9 +177,12 @@ impl<G: EdgeDistance<T>, T: Real> Fence<'_, G, T> {
     /// ```
     #[must_use]
     pub fn distance(&self, place: G::Place) -> T {
-        let edges = self.rings.iter().flat_map(|ring| edges(ring));
-        let distances = edges.map(|[from, to]| self.ground.edge_distance(place, from, to));
-        let nearest = distances.fold(T::ONE / T::ZERO, min);
+        let mut nearest = T::ONE / T::ZERO;
+        for [from, to] in self.rings.iter().flat_map(|ring| edges(ring)) {
+            if self.ground.edge_at_least(place, from, to) < nearest {
+                nearest = min(nearest, self.ground.edge_distance(place, from, to));
+            }
+        }
         match self.side(place) {
             Side::Inside => -nearest,
             Side::Outside => nearest,

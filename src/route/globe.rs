@@ -1,6 +1,6 @@
 //! Edges on an ellipsoid or a sphere, and the meridian of a place.
 
-use super::{Crossing, EdgeCrossing, EdgeDistance};
+use super::{Crossing, EdgeCrossing, EdgeDistance, Legs};
 use crate::geodesic::{
     Area, Geodesic, GeodesicError, GreatCircle, Inverse, Karney, between_poles, longitude_difference, wrapped,
 };
@@ -260,18 +260,24 @@ impl<T: Real> EdgeCrossing<T> for GreatCircle<T> {
     }
 }
 
-impl<T: Real> EdgeDistance<T> for GreatCircle<T> {
-    /// The worst error is that of [`GreatCircle::cross_track`].
+/// The distance is that of [`Legs::closest`].
+impl<T: Real> EdgeDistance<T> for Karney<T> {
     fn edge_distance(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
-        let globe = Globe {
-            method: self,
-            radius: self.radius(),
-        };
-        let line = globe.inverse(from, to);
-        let [along, across] = self.tracks_beside(place, from, line.azimuth1);
-        if along >= T::ZERO && along <= line.distance {
-            return across.abs();
-        }
-        min(globe.inverse(from, place).distance, globe.inverse(to, place).distance)
+        self.closest(place, from, to).distance
+    }
+
+    fn edge_at_least(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
+        self.at_least(place, from, to)
+    }
+}
+
+/// The distance is that of [`Legs::closest`].
+impl<T: Real> EdgeDistance<T> for GreatCircle<T> {
+    fn edge_distance(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
+        self.closest(place, from, to).distance
+    }
+
+    fn edge_at_least(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
+        self.at_least(place, from, to)
     }
 }

@@ -1,11 +1,17 @@
 //! Routes and fields: legs, closest points, intersections, rhumb lines, rings and fences.
 //!
 //! Latitudes, longitudes and azimuths are in degrees, lengths in metres.
-
-pub mod heading;
-mod rhumb;
-
-pub use rhumb::{Rhumb, RhumbEnd, RhumbInverse, RhumbLine};
+//!
+//! | question | item |
+//! |---|---|
+//! | How far is a place beside a leg, and how far along? Which point of a route is closest? | [`Legs`] |
+//! | Where do two lines cross? | [`Intersections`] |
+//! | Where does a line cross a parallel or a meridian, and where is it northernmost? | [`Segment`] |
+//! | Which places divide a line, every so many metres or to a tolerance? | [`Segment`], [`Waypoints`], [`Densified`] |
+//! | Is a place inside a fence, and how far from its edge? | [`Fence`] |
+//! | How long is an arc about a centre? Which polygon is a circle, or a route with a width? | [`Arc`], [`Corridor`] |
+//! | What is the course with a constant azimuth? | [`Rhumb`] |
+//! | What is the difference or the mean of headings? | [`heading`] |
 //!
 //! A leg is the shortest line between two places. The trait [`Legs`] finds its closest point to a place, and
 //! how far a place is beside it. Polylines and rings are written once, for every surface that has legs:
@@ -30,30 +36,40 @@ pub use rhumb::{Rhumb, RhumbEnd, RhumbInverse, RhumbLine};
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod arc;
 mod bound;
 mod closest;
+mod corridor;
+mod densified;
+mod edge;
+mod fence;
+mod globe;
+pub mod heading;
+mod intersection;
 mod legs;
 mod on_ellipsoid;
 mod on_plane;
 mod on_sphere;
 mod path;
+mod planar;
+mod rhumb;
+mod segment;
+mod side;
+mod waypoints;
 
+pub use arc::{Arc, InvalidArc, Turn};
 pub use closest::{Closest, OnPath, Reach, Track};
+pub use corridor::{Corridor, Outline};
+pub use densified::Densified;
+pub use edge::{Crossing, EdgeCrossing, EdgeDistance};
+pub use fence::Fence;
+pub use intersection::{Intersection, Intersections, IntersectionsWithin, Overlap};
 pub use legs::Legs;
 pub use on_ellipsoid::EllipsoidLeg;
 pub use on_plane::{PlaneLeg, TangentPlane};
 pub use on_sphere::SphereLeg;
-mod arc;
-mod corridor;
-mod edge;
-mod fence;
-mod globe;
-mod planar;
-mod side;
-
-pub use arc::{Arc, InvalidArc, Turn};
-pub use corridor::{Corridor, Outline};
-pub use edge::{Crossing, EdgeCrossing, EdgeDistance};
-pub use fence::Fence;
 pub use planar::Planar;
+pub use rhumb::{Rhumb, RhumbEnd, RhumbInverse, RhumbLine};
+pub use segment::Segment;
 pub use side::Side;
+pub use waypoints::{InvalidStep, Waypoints};

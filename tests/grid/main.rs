@@ -3,13 +3,13 @@
     missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // tests
 
-mod geohash;
-mod plus_code;
-mod web_mercator;
 mod azimuthal;
 mod conformal;
+mod geohash;
 mod mgrs;
+mod plus_code;
 mod utm;
+mod web_mercator;
 
 use terrella::LatLon;
 use testkit::truth::{Row, Scalar};

@@ -132,7 +132,6 @@ macro_rules! parts {
         }
     )*};
 }
-#[cfg(feature = "terrain")]
 pub(crate) use parts;
 
 parts! {

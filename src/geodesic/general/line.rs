@@ -6,8 +6,12 @@ use crate::geodesic::angle::{Angle, wrapped};
 use crate::geodesic::series::{Integrals, Row, sines};
 use crate::geodesic::sphere::node;
 use crate::geodesic::{Direct, GeodesicError};
-use crate::math::{atan2_degrees, hypot, select};
+use crate::math::{atan2_degrees, hypot, max, min, select};
 use crate::{LatLon, Real};
+
+mod passage;
+
+pub use passage::Passage;
 
 /// A geodesic from one place at one azimuth: for many points at different distances on the same line.
 ///
@@ -140,6 +144,18 @@ impl<T: Real> Line<T> {
     /// km) on the Earth.
     pub fn at(&self, distance: T) -> Result<LinePoint<T>, GeodesicError<T>> {
         self.place(distance).map(|place| place.point)
+    }
+
+    /// [`Self::at`] of a distance known to be short enough; of any other, the point at the longest one.
+    pub(crate) fn near(&self, distance: T) -> LinePoint<T> {
+        self.near_place(distance).point
+    }
+
+    fn near_place(&self, distance: T) -> Place<T> {
+        let (tau12, _) = self.mean_arc(distance);
+        let tau12 = min(max(tau12, -longest::<T>()), longest());
+        let integrals = &self.solver.integrals;
+        self.reach(tau12, true, |row, sigma| integrals.sines(row, sigma))
     }
 
     pub(in crate::geodesic) fn alpha0(&self) -> Angle<T> {

@@ -195,6 +195,12 @@ impl<T: Real> Karney<T> {
         }
         self.general.inverse(from, to).0
     }
+
+    /// The line of [`Geodesic::inverse`], and its length.
+    pub(crate) fn line_between(&self, from: LatLon<T>, to: LatLon<T>) -> (Line<T>, T) {
+        let way = self.way(from, to);
+        (Line::along(&self.general, from, way.azimuth1), way.distance)
+    }
 }
 
 impl<T: Real> Geodesic<T> for Karney<T> {

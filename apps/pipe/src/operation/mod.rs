@@ -10,6 +10,7 @@ mod geodesic;
 mod grid;
 mod healpix;
 mod horizon;
+mod intersection;
 mod latitude;
 mod polygon;
 mod position;
@@ -58,6 +59,7 @@ pub const GROUPS: &[Group] = &[
     cell::GROUP,
     healpix::GROUP,
     horizon::GROUP,
+    intersection::GROUP,
     angle::GROUP,
 ];
 

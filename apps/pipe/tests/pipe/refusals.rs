@@ -42,6 +42,8 @@ fn places_and_vectors() {
         ("contains", "1 2 3 4"),
         ("gc-mid", "1 2 3 4"),
         ("gc-frac", "1 2 3 4 0.5"),
+        ("intersect", "1 2 30 4 5 60"),
+        ("intersect-segments", "1 2 3 4 5 6 7 8"),
         ("direction", "1 2"),
         ("up", "1 2"),
         ("geodetic-to-ned", "1 2 3 4 5 6"),

@@ -11,6 +11,7 @@ mod frame;
 mod geodesic;
 mod grid;
 mod healpix;
+mod intersection;
 mod line;
 mod polygon;
 mod position;
