@@ -87,10 +87,12 @@
 //! are within 1 m of flat, of level 15 within 1 cm, and of level 17 within 1 mm ([`Patches::plain_level`] has
 //! the table).
 
+mod area;
 mod base;
 mod bilinear;
 mod bounds;
 mod camera;
+mod cover;
 mod coverage;
 mod flatness;
 mod footprint;
@@ -101,6 +103,7 @@ mod key;
 mod morton;
 mod neighbour;
 mod patch;
+mod ring;
 mod s2;
 mod selection;
 mod series;
@@ -116,6 +119,7 @@ mod volume;
 pub use base::{Base, InvalidBase};
 pub use bounds::Enclosure;
 pub use camera::{Camera, InvalidCamera};
+pub use cover::{Cap, Covering, InvalidBox, InvalidRadius, LatLonBox, Near, Region, Relation};
 pub use flatness::Flatness;
 pub use heights::{Heights, InvalidHeights, lean};
 pub use hilbert::Hilbert;
@@ -124,6 +128,7 @@ pub use key::{Curve, InvalidKey, InvalidToken, Key};
 pub use morton::Morton;
 pub use neighbour::{Adjacent, Along, Around, Diagonal};
 pub use patch::{InvalidPatch, Patch, Patches};
+pub use ring::{InvalidSteps, Ring};
 pub use s2::InvalidNumberedTile;
 pub(crate) use s2::{has_s2_leaf, leaf_of};
 pub use selection::{Detail, InvalidDetail, Selection};
