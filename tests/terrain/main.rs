@@ -4,6 +4,7 @@
 )] // a test may fail loudly
 
 mod bounds;
+mod cover;
 mod edges;
 mod heights;
 mod horizon;

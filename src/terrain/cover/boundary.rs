@@ -19,11 +19,35 @@ pub(super) trait Margin<T: Real, const N: usize> {
     /// The smooth functions at a place on the sphere.
     fn numbers(&self, place: Direction<T>) -> [T; N];
 
-    /// The function made of them. It must not decrease if one of them increases.
+    /// The function made of them.
     fn depth(&self, numbers: [T; N]) -> T;
+
+    /// Whether there may be a place inside between two, where each function is within its `bend` of a straight
+    /// line, plus the rounding.
+    fn may_enter(&self, ends: [[T; N]; 2], bends: [T; N]) -> bool;
+
+    /// The same of a place outside.
+    fn may_leave(&self, ends: [[T; N]; 2], bends: [T; N]) -> bool;
 
     /// How far outside a place still counts as inside, for the rounding of the numbers.
     fn rounding(&self) -> T;
+}
+
+/// Whether straight lines from one number to another are 0 or more at one common place.
+pub(super) fn are_common<T: Real>(lines: impl IntoIterator<Item = [T; 2]>) -> bool {
+    let (mut first, mut last) = (T::ZERO, T::ONE);
+    for [from, to] in lines {
+        let zero = from / (from - to);
+        if from < T::ZERO {
+            if to < T::ZERO {
+                return false;
+            }
+            first = max(zero, first);
+        } else if to < T::ZERO {
+            last = min(zero, last);
+        }
+    }
+    !(first > last)
 }
 
 /// How many parts of a tile's edges are looked at before the answer is given up. Only edges that run along
@@ -156,19 +180,16 @@ fn search<T: Real, P: CubeProjection, const N: usize>(projection: P, tile: Tile,
         let sharpest = bends.into_iter().fold(T::ZERO, max);
         let mut open = false;
         let mut possible = false;
-        for [from, to] in [[a, b], [b, c], [c, d], [d, e]] {
-            let (mut low, mut high) = (from, to);
-            for ((low, high), bend) in low.iter_mut().zip(high.iter_mut()).zip(bends) {
-                (*low, *high) = (min(*low, *high) - bend, max(*low, *high) + bend);
-            }
-            possible |= !(margin.depth(high) < -rounding);
-            open |= !(margin.depth(low) >= -rounding);
+        for ends in [[a, b], [b, c], [c, d], [d, e]] {
+            possible |= margin.may_enter(ends, bends);
+            open |= margin.may_leave(ends, bends);
         }
         let undecided = (possible & !found.inside) | (open & !found.outside);
         part = if undecided && sharpest > rounding && this.is_divisible(tile) {
             Some(this.first_half())
         } else {
             found.inside |= possible;
+            found.outside |= open;
             this.next(tile)
         };
     }

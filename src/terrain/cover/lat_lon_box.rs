@@ -1,6 +1,6 @@
 use core::fmt;
 
-use super::boundary::{Margin, relation};
+use super::boundary::{Margin, are_common, relation};
 use super::{Region, Relation, Tile};
 use crate::cube::{CubeMap, CubeProjection};
 use crate::math::{max, min, sin_cos_degrees};
@@ -213,9 +213,48 @@ impl<T: Real> Margin<T, 5> for Sides<T> {
         min(between, min(middle, min(west, east)))
     }
 
+    #[inline(always)]
+    fn may_enter(&self, ends: [[T; 5]; 2], bends: [T; 5]) -> bool {
+        let [south, north, west, east, middle] = lines(ends, bends, self.rounding());
+        if self.width >= T::of(360.0) {
+            return are_common([south, north]);
+        }
+        if self.width > T::of(180.0) {
+            return are_common([south, north, west]) || are_common([south, north, east]);
+        }
+        are_common([south, north, west, east, middle])
+    }
+
+    #[inline(always)]
+    fn may_leave(&self, [from, to]: [[T; 5]; 2], bends: [T; 5]) -> bool {
+        // Negative numbers are outside; so are the places where they are, the other way round, positive. Twice
+        // the rounding is allowed, as edges of tiles are often those of the box.
+        let ends = [from, to].map(|end| end.map(|number| -number));
+        let [south, north, west, east, middle] = lines(ends, bends, -self.rounding() - self.rounding());
+        let any = |line| are_common([line]);
+        let beyond = any(south) || any(north);
+        if self.width >= T::of(360.0) {
+            return beyond;
+        }
+        if self.width > T::of(180.0) {
+            return beyond || are_common([west, east]);
+        }
+        beyond || any(west) || any(east) || any(middle)
+    }
+
     fn rounding(&self) -> T {
         T::of(8.0) * T::EPSILON
     }
+}
+
+/// Of each function the straight line between two places, raised by its bend and a rounding.
+#[inline(always)]
+fn lines<T: Real>([from, to]: [[T; 5]; 2], bends: [T; 5], rounding: T) -> [[T; 2]; 5] {
+    let mut lines = [[T::ZERO; 2]; 5];
+    for (line, ((from, to), bend)) in lines.iter_mut().zip(from.into_iter().zip(to).zip(bends)) {
+        *line = [from, to].map(|end| end + bend + rounding);
+    }
+    lines
 }
 
 /// The error of creating a [`LatLonBox`].

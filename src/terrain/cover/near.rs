@@ -1,6 +1,7 @@
 use super::boundary::{Margin, relation};
 use super::{InvalidRadius, Region, Relation, Tile};
 use crate::cube::{CubeMap, CubeProjection};
+use crate::math::{max, min};
 use crate::{Direction, LatLon, Real, Shifted};
 
 /// The places up to a distance from something, by a function that returns the distance of a place: a polyline
@@ -97,6 +98,15 @@ impl<T: Real, D: Fn(LatLon<T>) -> T> Margin<T, 1> for Within<T, D> {
 
     fn depth(&self, [depth]: [T; 1]) -> T {
         depth
+    }
+
+    fn may_enter(&self, [[from], [to]]: [[T; 1]; 2], [bend]: [T; 1]) -> bool {
+        !(max(from, to) + bend < -self.rounding())
+    }
+
+    fn may_leave(&self, [[from], [to]]: [[T; 1]; 2], [bend]: [T; 1]) -> bool {
+        let rounding = self.rounding();
+        !(min(from, to) - bend >= -rounding - rounding)
     }
 
     fn rounding(&self) -> T {
