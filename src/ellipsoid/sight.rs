@@ -97,8 +97,8 @@ impl<T: Real> Ellipsoid<T> {
     /// ground, if the ground has that height.
     ///
     /// The place is [`Ray::at`] the distance; [`to_geodetic`](Self::to_geodetic) gives its latitude and
-    /// longitude. From an eye within 10⁷ m of the Earth, a ray that meets the ground at an angle of γ has an
-    /// error along the ray of at most 1e-8 m/sin γ (`f64`) or 5 m/sin γ (`f32`).
+    /// longitude. From an eye up to 10⁷ m high, the place is within 1e-8 m (`f64`) or 5 m (`f32`) of the
+    /// surface, if the ray meets it at 3° or more.
     ///
     /// For a height other than 0 the surface is not an ellipsoid. The meeting with the ellipsoid whose axes
     /// are longer by the height is corrected by Newton's method; whether there is a meeting is told by that
@@ -150,7 +150,7 @@ impl<T: Real> Ellipsoid<T> {
             return distance;
         }
         let mut found = distance;
-        for _ in 0..2 {
+        for _ in 0..4 {
             let (rise, slope) = self.rise(ray, found);
             let step = (height - rise) / slope;
             // At a tangent the slope is 0: then the first distance is the best.
@@ -171,7 +171,7 @@ impl<T: Real> Ellipsoid<T> {
     ///
     /// Straight lines of light are bent by air; a common remedy is an Earth larger by 7/6.
     ///
-    /// The worst error is 4 nm + 1e-15 of the distance between the points (`f64`) or 3 m + 6e-7 of it (`f32`).
+    /// The worst error for points up to 1000 km high and 30° apart is 4 nm (`f64`) or 1.5 m (`f32`).
     ///
     /// ```
     /// use terrella::{Ellipsoid, Geodetic, LatLon};
@@ -179,8 +179,7 @@ impl<T: Real> Ellipsoid<T> {
     /// let at = |lat, lon, height| Geodetic::new(LatLon::new(lat, lon).unwrap(), height).unwrap();
     /// let (mast, boat) = (earth.to_ecef(at(54.0, 7.0, 50.0)), earth.to_ecef(at(54.0, 7.4, 10.0)));
     /// let lowest = earth.clearance(mast, boat);
-    /// assert!((lowest - 0.97).abs() < 0.05, "{lowest}");
-    /// # let _ = lowest;
+    /// assert!((lowest - 9.113).abs() < 1e-3);
     /// ```
     #[doc(alias = "line of sight")]
     #[doc(alias = "intervisibility")]

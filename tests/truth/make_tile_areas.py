@@ -70,8 +70,9 @@ def area(inverse, face, level, i, j, shift, a, f):
                 X0, Y0, *_ = place(x - dx, y - dy)
                 turn = (X * (Y1 - Y0) - Y * (X1 - X0)) / (2 * H) / (axial * axial)
                 total += weight / parts * width * turn * strip(sine, a, f)
-    # Counter-clockwise, eastward below and westward above.
-    return -total
+    # Counter-clockwise, eastward below and westward above. At a pole the longitude jumps by a right angle.
+    at_pole = face in (4, 5) and (0, 0) in corners
+    return (mp.pi / 2 * strip(mpf(1), a, f) if at_pole else 0) - total
 
 
 def main():

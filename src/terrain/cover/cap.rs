@@ -24,7 +24,7 @@ use crate::{LatLon, Real};
 /// let earth = Ellipsoid::<f64>::WGS84;
 /// let cap = Cap::new(Karney::new(earth)?, LatLon::new(59.91, 10.75)?, 10_000.0)?;
 /// let map = CubeMap::new(earth, Shift::Geodetic, S2Quadratic)?;
-/// assert_eq!(Covering::new(map, cap, 12)?.count(), 99);
+/// assert_eq!(Covering::new(map, cap, 12)?.count(), 76);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "S2Cap")]

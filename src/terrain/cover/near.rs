@@ -28,7 +28,7 @@ use crate::{Direction, LatLon, Real, Shifted};
 /// };
 /// let near = Near::new(to_town, 20_000.0, &towns, &[])?;
 /// let map = CubeMap::new(earth, Shift::Geodetic, S2Quadratic)?;
-/// assert_eq!(Covering::new(map, near, 8)?.count(), 14);
+/// assert_eq!(Covering::new(map, near, 8)?.count(), 12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "buffer")]
