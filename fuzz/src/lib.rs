@@ -6,5 +6,5 @@ pub mod batch;
 #[path = "../../tests/properties/main.rs"]
 mod properties;
 
-pub use properties::{edges, geodesic, healpix, position, projection, route, validation};
+pub use properties::{cover, edges, geodesic, healpix, position, projection, route, validation};
 pub use testkit::property;

@@ -1,6 +1,6 @@
 //! Coverings, boxes of tiles and rings: what holds for any region and any tile.
 
-use terrella::cube::{CubeMap, CubeProjection, Projection};
+use terrella::cube::{CubeMap, Projection};
 use terrella::geodesic::Andoyer;
 use terrella::terrain::{Cap, Covering, LatLonBox, Region, Relation, Tile};
 use terrella::{Ecef, Ellipsoid, LatLon, Ray, Shift};

@@ -18,6 +18,7 @@ mod s2;
 mod sample;
 mod scene;
 mod selection;
+mod sight;
 mod solid_angle;
 mod tile;
 mod vector;

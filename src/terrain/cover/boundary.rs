@@ -51,8 +51,8 @@ pub(super) fn are_common<T: Real>(lines: impl IntoIterator<Item = [T; 2]>) -> bo
 }
 
 /// How many parts of a tile's edges are looked at before the answer is given up. Only edges that run along
-/// the edge of a region, between one and some thousand times its rounding away, need more than some dozens.
-const MOST: u32 = 3000;
+/// the edge of a region, between once and some thousand times its rounding away, need more than some dozens.
+const MOST: u32 = 1000;
 /// Edges are divided at least into parts as long as the tiles of this level.
 const COARSEST: u8 = 3;
 
