@@ -11,8 +11,9 @@ use crate::{Direction, Ecef, Ellipsoid, Real};
 /// let earth = Ellipsoid::<f64>::WGS84;
 /// let eye = Ecef::new(7_000_000.0, 0.0, 0.0)?;
 /// let down = Ray::new(eye, [-2.0, 0.0, 0.0])?;
-/// assert_eq!(earth.meet(&down, 0.0), Meeting::Enters(621_863.0));
-/// assert_eq!(down.at(621_863.0).x(), 6_378_137.0);
+/// let Meeting::Enters(distance) = earth.meet(&down, 0.0) else { unreachable!() };
+/// assert!((distance - 621_863.0).abs() < 1e-8);
+/// assert!((down.at(distance).x() - 6_378_137.0).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

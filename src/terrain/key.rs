@@ -158,7 +158,7 @@ impl<C: Curve> Key<C> {
     /// ```
     /// use terrella::terrain::{Hilbert, Key};
     /// let key = |token: &str| token.parse::<Key<Hilbert>>();
-    /// assert_eq!(key("357b3cd6f85")?.common_ancestor(key("357b3cd6ff3")?), Some(key("357b3cd7")?));
+    /// assert_eq!(key("357b3cd6f85")?.common_ancestor(key("357b3cd6ff3")?), Some(key("357b3cd6fc")?));
     /// # Ok::<(), terrella::terrain::InvalidToken>(())
     /// ```
     #[must_use]

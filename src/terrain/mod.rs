@@ -115,7 +115,7 @@
 //! let (oslo, quito) = (cell(59.91, 10.75)?, cell(-0.18, -78.47)?);
 //! assert_eq!(oslo.area(&grid), quito.area(&grid));
 //! assert_eq!(oslo.area(&grid).round(), 5_067_047.0);
-//! assert_eq!(Key::<Hilbert>::from(oslo).to_string(), "46416d9");
+//! assert_eq!(Key::<Hilbert>::from(oslo).to_string(), "464638d");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -47,7 +47,8 @@ pub(super) fn are_common<T: Real>(lines: impl IntoIterator<Item = [T; 2]>) -> bo
             last = min(zero, last);
         }
     }
-    !(first > last)
+    let apart = first > last;
+    !apart
 }
 
 /// How many parts of a tile's edges are looked at before the answer is given up. Only edges that run along
@@ -140,8 +141,9 @@ struct Found {
 impl Found {
     /// NaN is inside and outside.
     fn place<T: Real>(&mut self, depth: T, rounding: T) {
-        self.inside |= !(depth < -rounding);
-        self.outside |= !(depth >= -rounding);
+        let (outside, inside) = (depth < -rounding, depth >= -rounding);
+        self.inside |= !outside;
+        self.outside |= !inside;
     }
 
     fn is_both(self) -> bool {
@@ -218,7 +220,8 @@ pub(super) fn relation<T: Real, P: CubeProjection, const N: usize>(
     };
     let is_outside = |place: LatLon<T>| {
         let numbers = margin.numbers(map.shifted().to_direction(place));
-        !(margin.depth(numbers) >= -margin.rounding())
+        let inside = margin.depth(numbers) >= -margin.rounding();
+        !inside
     };
     match found {
         Found {
@@ -252,7 +255,7 @@ pub(super) fn range<T: Real, P: CubeProjection>(
 ) -> Option<[T; 2]> {
     let values = |part: Part| {
         let [a, b, c, d, e] = part.places(tile, projection).map(&function);
-        let known = |value: T, other: T| if value == value { value } else { other };
+        let known = |value: T, other: T| if value.is_finite() { value } else { other };
         let (b, d) = (known(b, a), known(d, e));
         let c = known(c, b);
         [known(a, b), known(b, c), c, known(d, c), known(e, d)]

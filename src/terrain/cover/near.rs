@@ -101,12 +101,14 @@ impl<T: Real, D: Fn(LatLon<T>) -> T> Margin<T, 1> for Within<T, D> {
     }
 
     fn may_enter(&self, [[from], [to]]: [[T; 1]; 2], [bend]: [T; 1]) -> bool {
-        !(max(from, to) + bend < -self.rounding())
+        let beyond = max(from, to) + bend < -self.rounding();
+        !beyond
     }
 
     fn may_leave(&self, [[from], [to]]: [[T; 1]; 2], [bend]: [T; 1]) -> bool {
         let rounding = self.rounding();
-        !(min(from, to) - bend >= -rounding - rounding)
+        let within = min(from, to) - bend >= -rounding - rounding;
+        !within
     }
 
     fn rounding(&self) -> T {
