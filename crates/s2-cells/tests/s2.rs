@@ -243,5 +243,5 @@ fn coverings_are_those_of_s2() {
         further += theirs.len() - ours.len();
         all += ours.len();
     }
-    assert!(all > 10_000 && further <= all / 5000, "{further} of {all}");
+    assert!(all > 5000 && further <= 5, "{further} of {all}");
 }
