@@ -147,7 +147,7 @@ mod simd;
 pub mod terrain;
 
 pub use dual::Dual;
-pub use ellipsoid::{Ellipsoid, GeodeticSeries, InvalidEllipsoid, NAMED, UnknownEllipsoid};
+pub use ellipsoid::{Ellipsoid, GeodeticSeries, InvalidEllipsoid, Meeting, NAMED, Ray, UnknownEllipsoid};
 pub use frame::{Aer, Enu, LocalFrame, Ned};
 pub use latitude::{Latitude, Shift, Shifted};
 pub use position::{

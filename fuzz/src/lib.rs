@@ -7,6 +7,6 @@ pub mod batch;
 mod properties;
 
 pub use properties::{
-    edges, fences, geodesic, grid, healpix, intersections, legs, position, projection, rhumb, text, validation,
+    cover, edges, fences, geodesic, grid, healpix, intersections, legs, position, projection, rhumb, text, validation,
 };
 pub use testkit::property;

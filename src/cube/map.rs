@@ -42,6 +42,14 @@ impl<T: Real, P: CubeProjection> CubeMap<T, P> {
         })
     }
 
+    /// The map of another projection, or of the type that a projection stands for.
+    pub(crate) fn with_projection<Q: CubeProjection>(&self, projection: Q) -> CubeMap<T, Q> {
+        CubeMap {
+            shifted: self.shifted,
+            projection,
+        }
+    }
+
     /// Returns the step from the ellipsoid to the sphere.
     #[must_use]
     pub fn shifted(&self) -> Shifted<T> {

@@ -3,11 +3,13 @@
 mod ecef;
 mod geodetic_series;
 mod named;
+mod sight;
 
 use core::fmt;
 
 pub use geodetic_series::GeodeticSeries;
 pub use named::{NAMED, UnknownEllipsoid};
+pub use sight::{Meeting, Ray};
 
 use crate::math::{atan, cbrt, inverse_gudermannian};
 use crate::{Direction, Real};

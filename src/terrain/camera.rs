@@ -3,7 +3,7 @@ use core::fmt;
 use super::OrientedBox;
 use super::vector::{along, cross, difference, dot};
 use crate::math::{max, min, select};
-use crate::{Ecef, Real};
+use crate::{Ecef, Ray, Real};
 
 /// A view of the planet: the position of the eye, the renderer's view-projection matrix, and the size of the
 /// picture in pixels.
@@ -79,6 +79,66 @@ impl<T: Real> Camera<T> {
     pub fn pixel(&self, point: Ecef<T>) -> Option<[T; 2]> {
         let [x, y, w] = self.clip(difference(point.to_array(), self.eye), T::ONE);
         (w > T::ZERO).then(|| self.on_picture([x, y, w]))
+    }
+
+    /// Returns the ray that is seen at a position in the picture, in pixels to the right of the middle and
+    /// above it: the inverse of [`pixel`](Self::pixel). Returns `None` if no ray leads there, which is only
+    /// so for a matrix that cannot be inverted, or for a position that is not finite.
+    ///
+    /// With a perspective matrix the ray starts at the centre of projection. With a parallel one it starts
+    /// beside the eye, and leads away from a viewer to whom the picture is not mirrored.
+    /// [`Ellipsoid::meet`](crate::Ellipsoid::meet) tells where it meets the ground.
+    ///
+    /// ```
+    /// use terrella::terrain::Camera;
+    /// use terrella::{Ecef, Ellipsoid};
+    ///
+    /// // From 621.863 km above 0° N 0° E straight down, north up.
+    /// let eye = Ecef::new(7_000_000.0_f64, 0.0, 0.0)?;
+    /// let matrix = [[0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0], [0.0; 4], [-1.0, 0.0, 0.0, 0.0]];
+    /// let camera = Camera::new(eye, matrix, [1024.0, 1024.0])?;
+    /// let ray = camera.ray([0.0, 0.0]).ok_or("no ray")?;
+    /// let distance = Ellipsoid::WGS84.meet(&ray, 0.0).distance().ok_or("past the Earth")?;
+    /// assert!((distance - 621_863.0).abs() < 1e-8);
+    /// let corner = camera.ray([512.0, 512.0]).ok_or("no ray")?;
+    /// let ground = Ellipsoid::WGS84.meet(&corner, 0.0).distance().map(|distance| corner.at(distance));
+    /// let [x, y] = ground.and_then(|ground| camera.pixel(ground)).ok_or("not seen")?;
+    /// assert!((x - 512.0).abs() < 1e-9 && (y - 512.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias = "unproject")]
+    #[doc(alias = "pick")]
+    #[must_use]
+    pub fn ray(&self, [right, above]: [T; 2]) -> Option<Ray<T>> {
+        let half = T::of(0.5);
+        let [width, height] = self.pixels;
+        let [x, y, w] = self.rows;
+        // Two planes with the ray in both.
+        let plane = |row: [T; 4], place: T| {
+            let mut plane = row;
+            for (entry, w) in plane.iter_mut().zip(w) {
+                *entry -= place * w;
+            }
+            plane
+        };
+        let [a, b] = [plane(x, right / (half * width)), plane(y, above / (half * height))];
+        let ([ax, ay, az, a_rest], [bx, by, bz, b_rest]) = (a, b);
+        let (across, up) = ([ax, ay, az], [bx, by, bz]);
+        let [wx, wy, wz, _] = w;
+        let line = cross(across, up);
+        let ahead = dot([wx, wy, wz], line);
+        let way = line.map(|v| select(ahead > T::ZERO, v, -v));
+        let start = match self.point() {
+            Some(centre) => centre,
+            None => {
+                // The point of the line nearest to the eye.
+                let square = dot(line, line);
+                let to = along(cross(up, line).map(|v| -(a_rest * v)), -b_rest, cross(line, across));
+                let [x, y, z] = along(self.eye, T::ONE / square, to);
+                Ecef::new(x, y, z).ok()?
+            }
+        };
+        Ray::new(start, way).ok()
     }
 
     /// Returns whether any part of a box may be in the picture (frustum culling).

@@ -152,6 +152,29 @@ impl<C: Curve> Key<C> {
         })
     }
 
+    /// Returns the key of the finest tile that contains this tile and another, or `None` if they are on
+    /// different faces.
+    ///
+    /// ```
+    /// use terrella::terrain::{Hilbert, Key};
+    /// let key = |token: &str| token.parse::<Key<Hilbert>>();
+    /// assert_eq!(key("357b3cd6f85")?.common_ancestor(key("357b3cd6ff3")?), Some(key("357b3cd6fc")?));
+    /// # Ok::<(), terrella::terrain::InvalidToken>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn common_ancestor(self, other: Self) -> Option<Self> {
+        let coarser = if self.end() < other.end() {
+            other.end()
+        } else {
+            self.end()
+        };
+        // The highest bit that differs, or that ends a key, belongs to the first level that differs.
+        let length = u64::BITS - ((self.bits ^ other.bits) | coarser).leading_zeros();
+        let end = 1_u64.checked_shl(2 * (length / 2)).filter(|_| length <= BELOW_FACE)?;
+        Some(Self::within(self.bits & end.wrapping_neg() & !end | end))
+    }
+
     /// Returns the range of keys of this tile and all its descendants down to level 30, from the smallest key
     /// to the largest.
     ///

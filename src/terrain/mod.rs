@@ -12,6 +12,16 @@
 //! | [`Tile`] | face, level, column, row; parent, children, points, neighbours across edges and corners |
 //! | [`Key`] | a tile as one number along [`Morton`]'s or [`Hilbert`]'s curve, for tables and file names |
 //!
+//! A map, an index or a table of data asks which tiles there are somewhere, and where a tile is:
+//!
+//! | | |
+//! |---|---|
+//! | [`Covering`] | the tiles that cover a region, at one level or at several: outer and inner |
+//! | [`LatLonBox`], [`Cap`], [`Near`], [`Region`] | regions: a box, a distance from a place or from anything, your own |
+//! | [`LatLonBox::of_tile`], [`Tile::area`] | the latitudes and longitudes of a tile, and its area on the ellipsoid |
+//! | [`Tile::ring`], [`Tile::disc`] | the tiles so many steps away |
+//! | [`Tile::common_ancestor`] | the tile that holds two |
+//!
 //! In each frame, a renderer selects the tiles it needs:
 //!
 //! | | |
@@ -83,14 +93,42 @@
 //! within 0.65 m and 5.7·10⁻⁴ (`cargo test --release --test terrain -- --ignored --nocapture
 //! a_million_vertices`).
 //!
+//! # An equal-area grid of the ellipsoid
+//!
+//! With [`Vertex`](crate::cube::Vertex), [`Quadrilateralized`](crate::cube::Quadrilateralized) or another
+//! equal-area projection, and with the authalic shift, the tiles are a discrete global grid whose cells have
+//! equal areas: on WGS 84 every cell of level L has 85 010 936 954 015 m² · 4^−L. Integrals of the map's scale
+//! over single cells agree with that to 1e-12. Cells of one level of A5 differ in area by 4e-3, those of S2 by
+//! a factor of 2.1, and those of H3 by 2.4.
+//!
+//! A cell has four children that fill it exactly, and a [`Key`] that sorts like a curve through space. So a
+//! table of counts by key is a histogram of densities, and counts of coarser cells are sums.
+//!
+//! ```
+//! use terrella::cube::{CubeMap, Vertex};
+//! use terrella::terrain::{Hilbert, Key, Tile};
+//! use terrella::{Ellipsoid, LatLon, Shift};
+//!
+//! let grid = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Authalic, Vertex)?;
+//! let cell = |lat, lon| Ok(Tile::containing(grid.project(LatLon::new(lat, lon)?), 12)?);
+//! let cell = |lat, lon| -> Result<Tile, Box<dyn std::error::Error>> { cell(lat, lon) };
+//! let (oslo, quito) = (cell(59.91, 10.75)?, cell(-0.18, -78.47)?);
+//! assert_eq!(oslo.area(&grid), quito.area(&grid));
+//! assert_eq!(oslo.area(&grid).round(), 5_067_047.0);
+//! assert_eq!(Key::<Hilbert>::from(oslo).to_string(), "464638d");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! Coarse tiles need displacements, fine tiles do not: with most projections, tiles of level 12 on the Earth
 //! are within 1 m of flat, of level 15 within 1 cm, and of level 17 within 1 mm ([`Patches::plain_level`] has
 //! the table).
 
+mod area;
 mod base;
 mod bilinear;
 mod bounds;
 mod camera;
+mod cover;
 mod coverage;
 mod flatness;
 mod footprint;
@@ -101,6 +139,7 @@ mod key;
 mod morton;
 mod neighbour;
 mod patch;
+mod ring;
 mod s2;
 mod selection;
 mod series;
@@ -116,6 +155,7 @@ mod volume;
 pub use base::{Base, InvalidBase};
 pub use bounds::Enclosure;
 pub use camera::{Camera, InvalidCamera};
+pub use cover::{Cap, Covering, InvalidBox, InvalidRadius, LatLonBox, Near, Region, Relation};
 pub use flatness::Flatness;
 pub use heights::{Heights, InvalidHeights, lean};
 pub use hilbert::Hilbert;
@@ -124,6 +164,7 @@ pub use key::{Curve, InvalidKey, InvalidToken, Key};
 pub use morton::Morton;
 pub use neighbour::{Adjacent, Along, Around, Diagonal};
 pub use patch::{InvalidPatch, Patch, Patches};
+pub use ring::{InvalidSteps, Ring};
 pub use s2::InvalidNumberedTile;
 pub(crate) use s2::{has_s2_leaf, leaf_of};
 pub use selection::{Detail, InvalidDetail, Selection};

@@ -256,7 +256,7 @@ impl<T: Real, P: CubeProjection, H: FnMut(Tile) -> Heights<T>> FusedIterator for
 
 /// The tile after this one and all its descendants: its next sibling, or the next sibling of the nearest
 /// ancestor that has one.
-fn after(tile: Tile) -> Option<Tile> {
+pub(super) fn after(tile: Tile) -> Option<Tile> {
     let Tile { face, level, i, j } = tile;
     // Every level at which the tile is the last of four siblings is finished too.
     let ended = (i & j).trailing_ones() as u8;

@@ -164,6 +164,36 @@ impl Tile {
         }
     }
 
+    /// Returns the finest tile that contains this one and another, or `None` if they are on different faces.
+    ///
+    /// ```
+    /// use terrella::cube::Face;
+    /// use terrella::terrain::Tile;
+    /// let (tile, other) = (Tile::new(Face::Top, 5, 9, 30)?, Tile::new(Face::Top, 3, 3, 5)?);
+    /// assert_eq!(tile.common_ancestor(other), Some(Tile::new(Face::Top, 1, 0, 1)?));
+    /// assert_eq!(tile.common_ancestor(Tile::root(Face::Front)), None);
+    /// # Ok::<(), terrella::terrain::InvalidTile>(())
+    /// ```
+    #[doc(alias = "lowest common ancestor")]
+    #[must_use]
+    #[inline]
+    pub const fn common_ancestor(self, other: Self) -> Option<Self> {
+        let level = if self.level < other.level {
+            self.level
+        } else {
+            other.level
+        };
+        let (Some(a), Some(b)) = (self.ancestor(level), other.ancestor(level)) else {
+            return None;
+        };
+        if a.face as u8 != b.face as u8 {
+            return None;
+        }
+        // The bits of column and row that differ.
+        let differing = 32 - ((a.i ^ b.i) | (a.j ^ b.j)).leading_zeros();
+        a.ancestor(level - differing as u8)
+    }
+
     /// Returns the four tiles of the next finer level, row by row from below: (0, 0), (1, 0), (0, 1), (1, 1)
     /// as (column, row). Returns `None` for a tile of level 30.
     ///

@@ -25,8 +25,8 @@ const FLOORS: &[&[(&str, &str)]] = &[
         ("healpix", "pixels"),
     ],
     &[
-        ("route", "legs, crossings, fences"),
-        ("grid", "UTM, MGRS"),
+        ("route", "legs, fences, rhumb lines"),
+        ("grid", "UTM, MGRS, geohash"),
         ("distortion", "Tissot, surveys"),
         ("terrain", "tiles, selection, vertices"),
     ],

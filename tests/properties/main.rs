@@ -5,6 +5,7 @@
 
 #[cfg(test)]
 mod areas;
+pub mod cover;
 pub mod edges;
 pub mod fences;
 pub mod geodesic;

@@ -4,6 +4,7 @@
 )] // a test may fail loudly
 
 mod bounds;
+mod cover;
 mod edges;
 mod heights;
 mod horizon;
@@ -17,6 +18,7 @@ mod s2;
 mod sample;
 mod scene;
 mod selection;
+mod sight;
 mod solid_angle;
 mod tile;
 mod vector;

@@ -145,6 +145,53 @@ pub struct Cells {
     pub projection: Projection,
 }
 
+/// Tiles on an ellipsoid. Latitudes are taken as those of the sphere, as for cells, unless a shift is asked for.
+#[derive(Args)]
+pub struct Tiles {
+    #[command(flatten)]
+    pub cells: Cells,
+
+    /// The latitude that is taken for that of the sphere; authalic for equal areas.
+    #[arg(long, value_name = "NAME", default_value = "geodetic", value_parser = one_of::<Shift>(Shift::ALL.iter().map(|s| s.name())))]
+    shift: Shift,
+
+    #[command(flatten)]
+    pub planet: Planet,
+}
+
+impl Tiles {
+    pub fn map<T: Number>(&self) -> Result<CubeMap<T, Projection>, Failure> {
+        Ok(CubeMap::new(
+            self.planet.ellipsoid()?,
+            self.shift,
+            self.cells.projection,
+        )?)
+    }
+}
+
+/// A covering by tiles.
+#[derive(Args)]
+pub struct Cover {
+    /// The level of the tiles, 0 to 30.
+    #[arg(long, value_name = "LEVEL")]
+    pub level: u8,
+
+    /// Only tiles that are inside.
+    #[arg(long)]
+    pub inner: bool,
+
+    /// Tiles of coarser levels too, where they are inside.
+    #[arg(long)]
+    pub mixed: bool,
+
+    /// The finest level up to LEVEL with at most so many tiles.
+    #[arg(long, value_name = "COUNT")]
+    pub most: Option<u32>,
+
+    #[command(flatten)]
+    pub tiles: Tiles,
+}
+
 /// The sphere, or an ellipsoid that is asked for.
 #[derive(Args)]
 pub struct SphereOrPlanet {

@@ -1,11 +1,13 @@
 use terrella::cube::{Balanced, Corner, CubeMap, CubeProjection, Edge, FacePoint, Healpix, Numbering, Vertex};
+use terrella::geodesic::Andoyer;
 use terrella::terrain::{
-    self, Adjacent, Along, Around, Base, BoundingSphere, Camera, Curve, Detail, Diagonal, Enclosure, Flatness, Heights,
-    Hilbert, Horizon, InvalidBase, InvalidCamera, InvalidDetail, InvalidHeights, InvalidKey, InvalidNumberedTile,
-    InvalidPatch, InvalidPlace, InvalidTile, InvalidToken, Key, Morton, OrientedBox, Patch, Patches, Selection, Series,
+    self, Adjacent, Along, Around, Base, BoundingSphere, Camera, Cap, Covering, Curve, Detail, Diagonal, Enclosure,
+    Flatness, Heights, Hilbert, Horizon, InvalidBase, InvalidBox, InvalidCamera, InvalidDetail, InvalidHeights,
+    InvalidKey, InvalidNumberedTile, InvalidPatch, InvalidPlace, InvalidRadius, InvalidSteps, InvalidTile,
+    InvalidToken, Key, LatLonBox, Morton, Near, OrientedBox, Patch, Patches, Region, Relation, Ring, Selection, Series,
     Split, Symmetry, Tile, Vertices,
 };
-use terrella::{Direction, Ecef, Ellipsoid, Shift, Shifted};
+use terrella::{Direction, Ecef, Ellipsoid, LatLon, Meeting, Ray, Shift, Shifted};
 
 use crate::bits::parts as scalar_parts;
 use crate::{Arguments, Bits, Function, Hash, Scalar, Visitor};
@@ -24,6 +26,10 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
     keys::<T, V, Morton>(visitor, "Morton");
     keys::<T, V, Hilbert>(visitor, "Hilbert");
     numbered::<T, V>(visitor);
+    rings::<T, V>(visitor);
+    coverings::<T, V, _>(visitor, Vertex, "vertex");
+    coverings::<T, V, _>(visitor, Balanced, "balanced");
+    sights::<T, V>(visitor);
     heights::<T, V>(visitor);
     boxes::<T, V, _>(visitor, Vertex, "vertex");
     boxes::<T, V, _>(visitor, Healpix, "healpix");
@@ -102,6 +108,93 @@ fn neighbours<T: Scalar, V: Visitor>(visitor: &mut V) {
     visitor.function::<T, _, _>("Tile::diagonal_at", draw, |(tile, _, corner)| {
         let at = |level| Tile::diagonal_at(tile, corner, level);
         (at(Tile::level(tile) / 2), at(Tile::level(tile) + 2))
+    });
+}
+
+fn rings<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let draw = |arguments: &mut Arguments| (tile::<T>(arguments), arguments.below(5) as u32);
+    visitor.function::<T, _, _>("Tile::ring", draw, |(tile, steps)| {
+        let disc = Tile::disc(tile, steps).map(Iterator::count);
+        (Tile::ring(tile, steps), disc.map(|count| count as u64))
+    });
+    let two = |arguments: &mut Arguments| [tile::<T>(arguments), tile::<T>(arguments)];
+    visitor.function::<T, _, _>("Tile::common_ancestor", two, |[tile, other]| {
+        let [key, second] = [tile, other].map(Key::<Hilbert>::from);
+        let above = Key::common_ancestor(key, second).map(Key::bits);
+        (Tile::common_ancestor(tile, other), above)
+    });
+}
+
+fn coverings<T: Scalar, V: Visitor, P: CubeProjection>(visitor: &mut V, projection: P, of: &'static str) {
+    let Ok(map) = CubeMap::<T, _>::new(Ellipsoid::WGS84, Shift::Authalic, projection) else {
+        return;
+    };
+    let name = |function| Function::of(function, of).calls(10);
+    let around = |[place, other]: [LatLon<T>; 2]| {
+        let ordered = place.lat() <= other.lat();
+        let [south, north] = if ordered { [place, other] } else { [other, place] };
+        LatLonBox::new(south.lat(), place.lon(), north.lat(), other.lon())
+    };
+    let draw = |arguments: &mut Arguments| (arguments.short::<T>(), arguments.place::<T>(), tile::<T>(arguments));
+    visitor.visit::<T, _, _>(name("Covering, of a box"), draw, |(places, place, tile)| {
+        around(places).map(|region| {
+            let covering = Covering::new(map, region, 6).map(|outer| {
+                let few = Covering::of_at_most(Covering::mixed(outer.clone()), 50);
+                let few = few.map(|few| (Covering::level(&few), few.count() as u64));
+                let inner = Covering::inner(outer.clone()).count() as u64;
+                (
+                    outer.fold(0, |sum: u64, tile| sum.wrapping_add(Key::<Hilbert>::from(tile).bits())),
+                    few,
+                    inner,
+                )
+            });
+            (
+                covering,
+                LatLonBox::contains(&region, place),
+                Region::relation(&region, &map, tile),
+                region,
+            )
+        })
+    });
+    let draw = |arguments: &mut Arguments| (arguments.place::<T>(), arguments.unit::<T>());
+    visitor.visit::<T, _, _>(name("Covering, of a cap"), draw, |(centre, size)| {
+        let method = Andoyer::new(Ellipsoid::WGS84).ok()?;
+        let cap = Cap::new(method, centre, size * T::of(1e6));
+        Some(cap.map(|cap| {
+            let count = Covering::new(map, cap, 4).map(|covering| covering.count() as u64);
+            (count, Cap::centre(&cap), Cap::radius(&cap))
+        }))
+    });
+    visitor.visit::<T, _, _>(name("Covering, of what is near"), draw, |(place, size)| {
+        let distance = |other: LatLon<T>| (other.lat() - place.lat()).abs() * T::of(1e5);
+        let near = Near::new(distance, size * T::of(1e6), &[], &[]);
+        near.map(|near| Covering::new(map, near, 3).map(|covering| covering.count() as u64))
+    });
+    visitor.visit::<T, _, _>(name("LatLonBox::of_tile"), tile::<T>, |tile| {
+        LatLonBox::of_tile(&map, tile)
+    });
+    visitor.visit::<T, _, _>(name("Tile::area"), tile::<T>, |tile| Tile::area(tile, &map));
+}
+
+fn sights<T: Scalar, V: Visitor>(visitor: &mut V) {
+    let two = |arguments: &mut Arguments| ([(); 2].map(|()| arguments.ecef::<T>()), arguments.unit::<T>());
+    visitor.function::<T, _, _>("Ellipsoid::meet", two, |([start, other], height)| {
+        Ray::through(start, other).map(|ray| {
+            let meeting = Ellipsoid::meet(Ellipsoid::WGS84, &ray, height * T::of(1e4));
+            let place = Meeting::distance(meeting).map(|distance| Ray::at(&ray, distance));
+            let same = Ray::new(Ray::start(&ray), Direction::to_array(Ray::direction(&ray))).map(|_| ());
+            (meeting, place, same)
+        })
+    });
+    visitor.function::<T, _, _>("Ellipsoid::clearance", two, |([from, to], _)| {
+        Ellipsoid::clearance(Ellipsoid::<T>::WGS84, from, to)
+    });
+    let draw = |arguments: &mut Arguments| (arguments.direction::<T>(), arguments.units::<T, 2>());
+    visitor.function::<T, _, _>("Camera::ray", draw, |(direction, place)| {
+        [camera(direction), parallel(direction)].map(|camera| {
+            let ray = Camera::ray(&camera?, place.map(|at| at * T::of(500.0)))?;
+            Some((Ray::start(&ray), Ray::direction(&ray)))
+        })
     });
 }
 
@@ -483,6 +576,8 @@ parts! {
         InvalidToken::Digit(character) => (None, Some(u32::from(*character)), None),
         InvalidToken::Key(key) => (None, None, Some(*key)),
     };
+    InvalidSteps |why| (why.level, why.steps);
+    Relation |relation| *relation as u32;
     InvalidPatch |why| match why {
         InvalidPatch::Samples(samples) => (Some(*samples), None),
         InvalidPatch::Length { expected, length } => (None, Some([*expected, *length])),
@@ -492,6 +587,12 @@ parts! {
 impl Bits for Around {
     fn add_to(&self, hash: &mut Hash) {
         Around::as_slice(self).iter().for_each(|tile| tile.add_to(hash));
+    }
+}
+
+impl Bits for Ring {
+    fn add_to(&self, hash: &mut Hash) {
+        self.clone().for_each(|tile| tile.add_to(hash));
     }
 }
 
@@ -505,6 +606,20 @@ impl Bits for Along {
 scalar_parts! {
     OrientedBox |b| (OrientedBox::centre(b), OrientedBox::axes(b), OrientedBox::half(b));
     BoundingSphere |s| (s.centre, s.radius);
+    LatLonBox |b| [
+        LatLonBox::south(b), LatLonBox::west(b), LatLonBox::north(b), LatLonBox::east(b), LatLonBox::width(b),
+    ];
+    InvalidBox |why| match why {
+        InvalidBox::Corner(why) => (Some(*why), None),
+        InvalidBox::Order { south, north } => (None, Some([*south, *north])),
+    };
+    InvalidRadius |why| why.0;
+    Meeting |meeting| match meeting {
+        Meeting::Misses => (0_u32, None),
+        Meeting::Touches(distance) => (1, Some(*distance)),
+        Meeting::Enters(distance) => (2, Some(*distance)),
+        Meeting::Leaves(distance) => (3, Some(*distance)),
+    };
     InvalidHeights |why| [why.low, why.high];
     InvalidPlace |why| [why.s, why.t];
     InvalidCamera |why| match why {

@@ -75,6 +75,7 @@ impl<P: CubeProjection> Turned<P> {
 
 impl<P: CubeProjection> CubeProjection for Turned<P> {
     const SYMMETRIC: bool = false;
+    const KEEPS_AREAS: bool = P::KEEPS_AREAS;
 
     #[inline(always)]
     fn faces(&self) -> Faces {

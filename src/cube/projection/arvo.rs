@@ -33,6 +33,8 @@ projection! {
 
 // In the paper u = √2·t/√(1 − t²) with t = tan(πx/6): that is the unicube’s u. And cos(πx/3) is 1/(1 + u²).
 impl CubeProjection for Arvo {
+    const KEEPS_AREAS: bool = true;
+
     #[inline(always)]
     fn faces(&self) -> Faces {
         Faces::Apart

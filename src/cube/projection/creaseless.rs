@@ -61,6 +61,8 @@ fn with_slope<T: Real, const N: usize, const M: usize>(x: T, table: &Polynomial<
 }
 
 impl CubeProjection for Creaseless {
+    const KEEPS_AREAS: bool = true;
+
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
         let steep = up.abs() > right.abs();

@@ -56,6 +56,11 @@ pub trait CubeProjection: Copy {
     /// else at all.
     const SYMMETRIC: bool = true;
 
+    /// Whether cells of equal size in x and y have equal areas on the sphere. Then
+    /// [`Tile::area`](crate::terrain::Tile::area) needs no integral where the shift keeps areas.
+    #[doc(hidden)]
+    const KEEPS_AREAS: bool = false;
+
     /// How many times as much as on a plain cube the edges of tiles may bend: a bound for the boxes of
     /// [`Enclosure`](crate::terrain::Enclosure). It is 1, unless the cube is
     /// [`Stretched`](crate::cube::Stretched).

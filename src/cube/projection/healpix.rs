@@ -42,6 +42,8 @@ fn is_cap<T: Real>(sin: T) -> bool {
 }
 
 impl CubeProjection for Healpix {
+    const KEEPS_AREAS: bool = true;
+
     const TAKES_PLACES: bool = true;
 
     #[inline(always)]

@@ -37,6 +37,8 @@ projection! {
 // Back, (p, q) = √2(cos(πm/12), sin(πm/12)) − (1, 0) is along (X, Y), and X/Z is p/(1 − p) on the edge.
 // Nothing cancels anywhere.
 impl CubeProjection for Quadrilateralized {
+    const KEEPS_AREAS: bool = true;
+
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
         // Of equals right is the larger one, as in the choice below: a derivative tells them apart.

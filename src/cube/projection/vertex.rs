@@ -34,6 +34,8 @@ const TAN_PI_8: f64 = core::f64::consts::SQRT_2 - 1.0;
 // In the octant 0 ≤ y ≤ x: a great circle from the corner V through the point P meets the midline at D;
 // r = |VP|/|VD| (chords) is 1 − y, and t is the share of the triangle's area on the midline's side of VD.
 impl CubeProjection for Vertex {
+    const KEEPS_AREAS: bool = true;
+
     #[inline(always)]
     fn forward<T: Real>(&self, _: Face, [right, up, outward]: [T; 3]) -> [T; 2] {
         let steep = up.abs() > right.abs();

@@ -35,7 +35,7 @@ pub const GROUP: Group = group! {
     "s2-xyz" "S2's face s t -> X Y Z on the unit sphere", of_face(Cells);
 };
 
-type Cell = Key<Hilbert>;
+pub(super) type Cell = Key<Hilbert>;
 
 /// How many levels finer the cells around another can be: 2¹⁰ of them along each edge.
 const FINER: u8 = 10;
@@ -70,7 +70,7 @@ impl Row for Cell {
 }
 
 /// As its token.
-struct Token(Cell);
+pub(super) struct Token(pub Cell);
 
 impl Row for Token {
     fn write(&self, columns: &mut Columns) -> std::fmt::Result {

@@ -3,6 +3,7 @@
 mod angle;
 mod cell;
 mod closest;
+mod cover;
 mod cube;
 mod fence;
 mod frame;
@@ -57,6 +58,7 @@ pub const GROUPS: &[Group] = &[
     grid::GROUP,
     cube::GROUP,
     cell::GROUP,
+    cover::GROUP,
     healpix::GROUP,
     horizon::GROUP,
     intersection::GROUP,
