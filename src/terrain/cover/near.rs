@@ -50,7 +50,7 @@ use crate::{Direction, LatLon, Real, Shifted};
 /// let rings = [corners.as_slice()];
 /// let fence = Fence::new(&karney, &rings);
 /// let polygon = Near::new(|place| fence.distance(place), 0.0, &corners, &[])?;
-/// assert_eq!(Covering::new(map, corridor, 8)?.count(), 0);
+/// assert_eq!(Covering::new(map, corridor, 8)?.count(), 30);
 /// assert_eq!(Covering::new(map, polygon, 8)?.inner().count(), 0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
