@@ -22,7 +22,7 @@ use crate::{InvalidLatLon, LatLon, Real};
 /// let other: [&[f64]; 4] = [&[60.0, 0.0], &[-10.0, 0.0], &[50.0, 1.0], &[10.0, 1.0]];
 /// let [mut x, mut y, mut lat, mut lon] = [[0.0; 2]; 4];
 /// route::of_segments(&intersections, one, other, [&mut x, &mut y, &mut lat, &mut lon])?;
-/// assert!((lat[0] - 55.431).abs() < 1e-3 && lat[1].is_nan());
+/// assert!((lat[0] - 56.035).abs() < 1e-3 && lat[1].is_nan());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn of_segments<T: Real>(
