@@ -152,7 +152,7 @@ pub use frame::{Aer, Enu, LocalFrame, Ned};
 pub use latitude::{Latitude, Shift, Shifted};
 pub use position::{
     Direction, Dms, DmsLatLon, Ecef, Geodetic, InvalidDirection, InvalidEcef, InvalidHeight, InvalidLatLon, LatLon,
-    ParseLatLonError,
+    NmeaLatLon, ParseLatLonError, ParseNmeaError,
 };
 pub use real::Real;
 

@@ -6,5 +6,7 @@ pub mod batch;
 #[path = "../../tests/properties/main.rs"]
 mod properties;
 
-pub use properties::{edges, geodesic, healpix, position, projection, validation};
+pub use properties::{
+    edges, fences, geodesic, grid, healpix, intersections, legs, position, projection, rhumb, text, validation,
+};
 pub use testkit::property;

@@ -10,7 +10,7 @@ use crate::simd::{Element, FEW, Sink, Source, Tally, lanes};
 /// are written.
 pub(super) fn solve_by<S: Source, D: Sink, E>(
     source: S,
-    mut sink: D,
+    sink: D,
     one: impl Fn(S::Row) -> Result<D::Row, E>,
     in_lanes: impl FnOnce(S, D, &mut Tally<E>),
 ) -> Result<(), InvalidBatch<E>> {
@@ -22,13 +22,36 @@ pub(super) fn solve_by<S: Source, D: Sink, E>(
     if cfg!(lanes) && length >= FEW {
         in_lanes(source, sink, &mut tally);
     } else {
-        for index in 0..length {
-            sink.push(tally.note(index, one(source.at(index)), D::nothing()));
-        }
+        each(source, sink, &mut tally, one);
     }
     match tally.refused() {
         Some((count, first, why)) => Err(InvalidBatch::Elements { count, first, why }),
         None => Ok(()),
+    }
+}
+
+/// Computes all elements one by one: of functions that branch on their data.
+///
+/// # Errors
+/// Those of [`solve_by`].
+pub(super) fn solve_each<S: Source, D: Sink, E>(
+    source: S,
+    sink: D,
+    one: impl Fn(S::Row) -> Result<D::Row, E>,
+) -> Result<(), InvalidBatch<E>> {
+    solve_by(source, sink, &one, |source, sink, tally| {
+        each(source, sink, tally, &one)
+    })
+}
+
+fn each<S: Source, D: Sink, E>(
+    source: S,
+    mut sink: D,
+    tally: &mut Tally<E>,
+    one: impl Fn(S::Row) -> Result<D::Row, E>,
+) {
+    for index in 0..source.len() {
+        sink.push(tally.note(index, one(source.at(index)), D::nothing()));
     }
 }
 

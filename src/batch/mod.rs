@@ -51,6 +51,11 @@
 //! | [`area::fields`] | [`PlanarPolygon`](crate::geodesic::PlanarPolygon) |
 //! | [`healpix::containing`] | [`OnEllipsoid::containing`](crate::healpix::OnEllipsoid::containing) |
 //! | [`healpix::centre`] | [`OnEllipsoid::centre`](crate::healpix::OnEllipsoid::centre) |
+//! | [`route::rhumb_inverse`], [`route::rhumb_area`] | [`Rhumb::inverse`](crate::route::Rhumb::inverse) |
+//! | [`route::rhumb_direct`] | [`Rhumb::direct`](crate::route::Rhumb::direct) |
+//! | [`route::closest`], [`route::tracks`] | [`Legs::closest`](crate::route::Legs::closest), [`track`](crate::route::Legs::track) |
+//! | [`route::leg_closest`], [`route::leg_tracks`] | the same, of and beside each leg of a path |
+//! | [`route::sides`], [`route::distances`] | [`Fence::side`](crate::route::Fence::side), [`Fence::distance`](crate::route::Fence::distance) |
 //! | [`terrain::containing`] | [`Tile::containing`](crate::terrain::Tile::containing) |
 //! | [`terrain::to_key`], [`terrain::from_key`] | [`Key`](crate::terrain::Key) of a tile, and back |
 //! | [`terrain::places_to_key`], [`terrain::directions_to_key`] | the same, of the tile that contains a place |
@@ -116,6 +121,7 @@ mod face_mask;
 mod face_number;
 pub mod frame;
 pub mod geodesic;
+pub mod grid;
 pub mod healpix;
 pub mod latitude;
 pub mod map;

@@ -4,11 +4,13 @@
 //! * Each projection is a type that implements [`CubeProjection`]; its page says when to take it.
 //!   [`Projection`] is the list of them, to choose one at run time, and [`Profile`] holds their figures.
 //! * [`Turned`] and [`Stretched`] are cubes that face other places, and that are finer around one of them.
+//! * [`Cell`] is a cell of a face that is divided into n × n, for any n.
 //! * [`Numbering`] converts to the faces and axes of S2, OpenGL and FITS.
 //!
-//! If you have no reason for another, take [`Balanced`] for the least texture memory, [`Vertex`] for equal
+//! If you have no reason for another, take [`Compact`] for the least texture memory, [`Vertex`] for equal
 //! areas, [`S2Quadratic`] or [`Algebraic`] for speed.
 
+mod cell;
 mod face;
 mod face_point;
 mod map;
@@ -16,6 +18,8 @@ mod numbering;
 mod orientation;
 mod projection;
 
+pub(crate) use cell::beyond;
+pub use cell::{Cell, InvalidCell};
 pub use face::{Corner, Edge, Face, InvalidFace, Neighbour, UnknownFace};
 pub use face_point::{FacePoint, InvalidFacePoint};
 pub use map::CubeMap;

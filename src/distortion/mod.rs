@@ -42,9 +42,9 @@
 //! Times are those of [`batch`](crate::batch) in `f64` with AVX-512, relative to the tangential cube, as
 //! measured for `docs/frontier`: first from the planet to the cube, then back.
 //!
-//! * **The least texture memory for the worst texel:** [`Balanced`] has ε 1.405; the paper's best,
-//!   [`Adjusted`], has 2.000. It goes to the cube by Newton's method, at 5.1 times the cost, and back at 1.1
-//!   times.
+//! * **The least texture memory for the worst texel:** [`Compact`] has ε 1.355, [`Balanced`] 1.405; the
+//!   paper's best, [`Adjusted`], has 2.000. Balanced goes to the cube by Newton's method, at 5.1 times the
+//!   cost, and back at 1.1 times.
 //! * **Equal areas:** [`Vertex`] keeps areas to rounding, with ω 20.3° and creases of 5°, at 3.5 and 3.1
 //!   times the cost.
 //! * **Equal areas, as others define them:** [`Quadrilateralized`] has ω 25.2°, at 2.4 and 1.6 times the
@@ -68,6 +68,7 @@
 //!   without iteration; ε is 2.10, 2.71 and 3.00.
 //!
 //! [`Balanced`]: crate::cube::Balanced
+//! [`Compact`]: crate::cube::Compact
 //! [`Adjusted`]: crate::cube::Adjusted
 //! [`Vertex`]: crate::cube::Vertex
 //! [`Quadrilateralized`]: crate::cube::Quadrilateralized

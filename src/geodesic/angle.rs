@@ -101,7 +101,7 @@ impl<T: Real> Angle<T> {
 impl<T: Real> DoubleWord<T> {
     /// Sine and cosine of this number of degrees.
     #[inline(always)]
-    pub(super) fn sin_cos_degrees(self) -> (T, T) {
+    pub(crate) fn sin_cos_degrees(self) -> (T, T) {
         let small = self.low * T::of(core::f64::consts::PI / 180.0);
         let (sin, cos) = sin_cos_degrees(self.high);
         (sin + cos * small, cos - sin * small)

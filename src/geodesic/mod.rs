@@ -27,6 +27,9 @@ mod method;
 mod planar_area;
 mod profile;
 
+pub(crate) use angle::{
+    between_poles, heading, latitude_difference, longitude_difference, longitude_step, off_pole, turns_once, wrapped,
+};
 pub use error::GeodesicError;
 pub use general::{Line, LinePoint, Passage};
 pub use karney::{Area, PolygonArea, Solution};

@@ -1,7 +1,7 @@
 use super::angle::{latitude_difference, longitude_difference};
 use super::nearly_round;
 use crate::latitude::UnsupportedFlattening;
-use crate::math::DoubleWord;
+use crate::math::{DoubleWord, atan2_degrees, hypot, select};
 use crate::{Ellipsoid, LatLon, Real};
 
 /// Areas of fields of up to some hundred kilometres, in the tangent plane: in `f32` as exact as the corners.
@@ -164,10 +164,46 @@ impl<T: Real> PlanarPolygon<T> {
 }
 
 impl<T: Real> Tangent<T> {
+    /// An eighth of the curvature.
+    pub(crate) const fn curvature(&self) -> T {
+        self.curvature
+    }
+
     /// East and north of the first corner in the tangent plane, in metres.
     #[inline(always)]
     pub(crate) fn seen(&self, first: LatLon<T>, corner: LatLon<T>) -> [T; 2] {
         self.plane(latitude_difference(first, corner), longitude_difference(first, corner))
+    }
+
+    /// Northward and eastward degrees from the first corner to a place in the tangent plane, given as metres
+    /// east and north: the inverse of [`Self::seen`].
+    pub(crate) fn degrees(&self, [east, north]: [T; 2]) -> [T; 2] {
+        let (one, half) = (T::ONE, T::of(0.5));
+        let [axis, ..] = self.axis;
+        let [m, q, r] = self.north;
+        // 1/N, cos φ, and how far the surface falls below the plane.
+        let w = T::of(8.0) * self.curvature * m;
+        let cos = axis * w;
+        let up = -half * (north * north / m + east * east * w);
+        // Outward from the axis; the distance from the axis less that of the first corner, without
+        // cancellation.
+        let out = up * cos - north * self.sin;
+        let distance = hypot(axis + out, east);
+        let sum = distance + axis;
+        let sum = select(sum > T::ZERO, sum, one);
+        let rise = ((axis + axis + out) * out + east * east) / sum;
+        // Along the meridian: u from its polynomial.
+        let meridian = (north * cos + up * self.sin) * cos - rise * self.sin;
+        let mut u = meridian / m;
+        u = meridian / (m + u * (q + u * r));
+        u = meridian / (m + u * (q + u * r));
+        let lon = atan2_degrees(east, axis + out);
+        [u * T::of(180.0 / core::f64::consts::PI), lon]
+    }
+
+    /// The radius of the sphere with the curvature at the first corner.
+    pub(crate) fn radius(&self) -> T {
+        (T::of(0.125) / self.curvature).sqrt()
     }
 
     /// East and north in the tangent plane in metres, of a place so far north and east of the first corner.

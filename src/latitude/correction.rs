@@ -125,7 +125,7 @@ impl<T: Real, const NEAR: bool> Turn<T> for Tangent<T, NEAR> {
 /// Σ cₖ sin 2kx. `SHORT`: the flattening is so small that the first terms are enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct SineSeries<T, const SHORT: bool>([T; series::ORDER.0]);
+pub(crate) struct SineSeries<T, const SHORT: bool>(pub(crate) [T; series::ORDER.0]);
 
 /// The number of terms that reaches rounding for |n| ≤ 0.0018, the Earth's ellipsoids: the next term is at
 /// most 2e-17 rad (`f32`: 3e-9).
@@ -134,8 +134,7 @@ const EARTH: (usize, usize) = (6, 3);
 impl<T: Real, const SHORT: bool> Turn<T> for SineSeries<T, SHORT> {
     #[inline(always)]
     fn angle(&self, (sin2, cos2): (T, T)) -> T {
-        let (f64, f32) = if SHORT { EARTH } else { series::ORDER };
-        clenshaw(&self.0, T::terms(f64, f32), sin2, cos2)
+        clenshaw(&self.0, terms::<T>(SHORT), sin2, cos2)
     }
 
     #[inline(always)]
@@ -261,11 +260,36 @@ fn tangent<T: Real>(m: T) -> Correction<T> {
     }
 }
 
-/// The coefficients cₖ = nᵏpₖ(n).
+/// The series of a table.
 fn series<T: Real, const N: usize, const M: usize>(
     ellipsoid: Ellipsoid<T>,
     table: &crate::math::Polynomial<N, M>,
 ) -> Correction<T> {
+    let coefficients = coefficients(ellipsoid, table);
+    if is_short(ellipsoid) {
+        Correction::Short(SineSeries(coefficients))
+    } else {
+        Correction::Long(SineSeries(coefficients))
+    }
+}
+
+/// Whether the first terms of a series are enough: how many they are, [`terms`] says.
+pub(crate) fn is_short<T: Real>(ellipsoid: Ellipsoid<T>) -> bool {
+    ellipsoid.n().abs() < T::of(0.0018)
+}
+
+/// The number of terms of a series, short or not.
+#[inline(always)]
+pub(crate) fn terms<T: Real>(short: bool) -> usize {
+    let (f64, f32) = if short { EARTH } else { series::ORDER };
+    T::terms(f64, f32)
+}
+
+/// The coefficients cₖ = nᵏpₖ(n).
+pub(crate) fn coefficients<T: Real, const N: usize, const M: usize>(
+    ellipsoid: Ellipsoid<T>,
+    table: &crate::math::Polynomial<N, M>,
+) -> [T; series::ORDER.0] {
     let n = ellipsoid.n();
     let order = T::terms(series::ORDER.0, series::ORDER.1);
     let mut coefficients = [T::ZERO; series::ORDER.0];
@@ -281,11 +305,7 @@ fn series<T: Real, const N: usize, const M: usize>(
         start += length;
         *coefficient = power * sum;
     }
-    if n.abs() < T::of(0.0018) {
-        Correction::Short(SineSeries(coefficients))
-    } else {
-        Correction::Long(SineSeries(coefficients))
-    }
+    coefficients
 }
 
 /// Σ cₖ sin 2kx by Clenshaw's recurrence.

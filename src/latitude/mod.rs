@@ -19,7 +19,9 @@ mod shifted;
 
 pub(crate) use conversion::{Angle, Degrees, Radians, conformal, corrected, isometric};
 pub use conversion::{Conversion, InvalidLatitude};
-pub(crate) use correction::{Correction, Turn, Unturned, with_correction};
+pub(crate) use correction::{
+    Correction, SineSeries, Turn, Unturned, coefficients, is_short, supported, terms, with_correction,
+};
 pub use shifted::Shifted;
 pub(crate) use shifted::normal;
 

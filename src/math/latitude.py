@@ -144,4 +144,5 @@ def literal(value, scalar):
     return next(t for t in (f"{single:.{d}e}" for d in range(5, 10)) if struct.unpack("f", struct.pack("f", float(t)))[0] == single)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -30,10 +30,12 @@ pub(crate) mod geodesic;
 mod gudermannian;
 mod hypot;
 mod interleave;
+pub(crate) mod kruger;
 pub(crate) mod latitude;
 mod log2;
 mod minimax;
 mod polynomial;
+pub(crate) mod rhumb;
 mod sin_cos;
 mod tan;
 

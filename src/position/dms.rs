@@ -73,25 +73,11 @@ impl Dms {
     /// Of an angle in [−180, 180] degrees, in whole numbers: no step rounds but the last.
     fn rounded<T: Real>(angle: T, digits: u8) -> Self {
         let digits = digits.min(Self::MAX_DIGITS);
-        let magnitude = min(angle.abs(), T::of(180.0));
-        let whole = magnitude.floor().unsigned_abs();
-        // What is left of a degree, 120 binary digits of it. Those below are of numbers that are rounded to
-        // 0.
-        let mut rest = magnitude - T::whole(whole.into());
-        let mut binary = 0_u128;
-        for _ in 0..5 {
-            rest *= T::of(16_777_216.0);
-            let next = rest.floor().unsigned_abs();
-            rest -= T::whole(next.into());
-            binary = binary << 24 | u128::from(next);
-        }
-        let zeros = binary.trailing_zeros().min(120);
         let second = TEN.saturating_pow(digits.into());
-        let product = (binary >> zeros) * u128::from(3600 * second.get());
-        let parts = halved(product, 120 - zeros) + u64::from(whole) * 3600 * second.get();
+        let parts = parts(angle, 3600 * second.get());
         let seconds = parts / second;
         Self {
-            negative: T::ONE.copysign(angle) < T::ZERO,
+            negative: is_negative(angle),
             degrees: (seconds / 3600) as u16,
             minutes: (seconds / 60 % 60) as u8,
             seconds: (seconds % 60) as u8,
@@ -155,7 +141,31 @@ impl Dms {
     }
 }
 
-const TEN: NonZeroU64 = NonZeroU64::MIN.saturating_add(9);
+pub(super) const TEN: NonZeroU64 = NonZeroU64::MIN.saturating_add(9);
+
+/// Whether an angle has the sign of −0.
+pub(super) fn is_negative<T: Real>(angle: T) -> bool {
+    T::ONE.copysign(angle) < T::ZERO
+}
+
+/// The size of an angle in [−180, 180] degrees, in so many parts of a degree, below 10¹⁷: to the nearest
+/// whole number, ties to even. No step rounds but the last.
+pub(super) fn parts<T: Real>(angle: T, of_degree: u64) -> u64 {
+    let magnitude = min(angle.abs(), T::of(180.0));
+    let whole = magnitude.floor().unsigned_abs();
+    // What is left of a degree, 120 binary digits of it. Those below are of numbers that are rounded to 0.
+    let mut rest = magnitude - T::whole(whole.into());
+    let mut binary = 0_u128;
+    for _ in 0..5 {
+        rest *= T::of(16_777_216.0);
+        let next = rest.floor().unsigned_abs();
+        rest -= T::whole(next.into());
+        binary = binary << 24 | u128::from(next);
+    }
+    let zeros = binary.trailing_zeros().min(120);
+    let product = (binary >> zeros) * u128::from(of_degree);
+    halved(product, 120 - zeros) + u64::from(whole) * of_degree
+}
 
 /// A number over 2 to a power of at most 120, to the nearest whole number, ties to even.
 fn halved(number: u128, power: u32) -> u64 {

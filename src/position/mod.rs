@@ -6,6 +6,7 @@ mod dms;
 mod ecef;
 mod geodetic;
 mod lat_lon;
+mod nmea;
 mod parse;
 mod precision;
 mod token;
@@ -17,6 +18,7 @@ pub use dms::{Dms, DmsLatLon};
 pub use ecef::{Ecef, InvalidEcef};
 pub use geodetic::{Geodetic, InvalidHeight};
 pub use lat_lon::{InvalidLatLon, LatLon};
+pub use nmea::{NmeaLatLon, ParseNmeaError};
 pub use parse::ParseLatLonError;
 
 use crate::Real;

@@ -231,7 +231,7 @@ impl<T: Real> Sexagesimal<T> {
         true
     }
 
-    /// The angle in degrees: one division of a sum, with what both lose.
+    /// The angle in degrees.
     fn degrees(&self) -> Result<T, ParseLatLonError<T>> {
         let sixty = T::of(60.0);
         for number in [self.minutes, self.seconds] {
@@ -240,17 +240,21 @@ impl<T: Real> Sexagesimal<T> {
             }
         }
         let minutes = self.degrees * sixty;
-        let (whole, last, parts) = match self.last {
-            None | Some(Unit::Degrees) => return Ok(self.degrees),
-            Some(Unit::Minutes) => (minutes, self.minutes, sixty),
-            Some(Unit::Seconds) => ((minutes + self.minutes) * sixty, self.seconds, T::of(3600.0)),
-        };
-        let (total, total_lost) = sum(whole, last);
-        let angle = total / parts;
-        let (back, back_lost) = product_of_any(angle, parts);
-        let lost = ((total - back) - back_lost + total_lost) / parts;
-        Ok(angle + select(lost.is_finite(), lost, T::ZERO))
+        Ok(match self.last {
+            None | Some(Unit::Degrees) => self.degrees,
+            Some(Unit::Minutes) => quotient(minutes, self.minutes, sixty),
+            Some(Unit::Seconds) => quotient((minutes + self.minutes) * sixty, self.seconds, T::of(3600.0)),
+        })
     }
+}
+
+/// (whole + last)/parts: one division of a sum, with what both lose.
+pub(super) fn quotient<T: Real>(whole: T, last: T, parts: T) -> T {
+    let (total, total_lost) = sum(whole, last);
+    let angle = total / parts;
+    let (back, back_lost) = product_of_any(angle, parts);
+    let lost = ((total - back) - back_lost + total_lost) / parts;
+    angle + select(lost.is_finite(), lost, T::ZERO)
 }
 
 /// Why a text was not parsed as a [`LatLon`].

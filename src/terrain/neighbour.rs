@@ -1,5 +1,5 @@
 use super::{InvalidTile, Tile};
-use crate::cube::{Corner, Edge};
+use crate::cube::{Corner, Edge, beyond};
 
 /// The neighbour of a tile across an edge: from [`Tile::neighbour`].
 ///
@@ -301,19 +301,8 @@ impl Tile {
     /// quarter turns from this face to that one.
     #[inline(always)]
     const fn beyond(self, i: u32, j: u32, edge: Edge) -> (Self, u8) {
-        let last = self.last();
-        if i <= last && j <= last {
-            return (Self::within(self.face, self.level, i, j), 0);
-        }
-        let across = self.face.neighbour(edge);
-        let (i, j) = (i & last, j & last);
-        let (i, j) = match across.turns {
-            0 => (i, j),
-            1 => (last - j, i),
-            2 => (last - i, last - j),
-            _ => (j, last - i),
-        };
-        (Self::within(across.face, self.level, i, j), across.turns)
+        let (face, [i, j], turns) = beyond(self.face, self.last(), [i, j], edge);
+        (Self::within(face, self.level, i, j), turns)
     }
 }
 

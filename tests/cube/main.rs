@@ -3,6 +3,7 @@
     missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing
 )] // a test may fail loudly
 
+mod cells;
 mod cost;
 mod edges;
 mod faces;

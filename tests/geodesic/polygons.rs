@@ -447,3 +447,166 @@ fn areas_along_lines() {
         assert!(error < 0.3, "{from:?} {to:?}: {under} {along}");
     }
 }
+
+/// What lies to the left and to the right, and clockwise areas, next to GeographicLib's `reverse` and `sign`.
+#[test]
+fn areas_of_either_side() {
+    let area = Area::<f64>::new(Ellipsoid::WGS84).unwrap();
+    let wgs84 = Theirs::wgs84();
+    let mut rng = fastrand::Rng::with_seed(21);
+    for _ in 0..2000 {
+        let corners = polygon(&mut rng);
+        let mut ours = area.polygon();
+        for &(lat, lon) in &corners {
+            ours.add(place(lat, lon));
+        }
+        let theirs = |winding, sign| {
+            let mut polygon = TheirPolygon::new(&wgs84, winding);
+            corners.iter().for_each(|&(lat, lon)| polygon.add_point(lat, lon));
+            polygon.compute(sign).1
+        };
+        // Of halves and of nothing the sign is rounding's.
+        if ours.area().abs() < 1e4 || ours.area().abs() > 0.5 * WHOLE - 1e6 {
+            continue;
+        }
+        let found = [ours.area(), ours.clockwise_area(), ours.left_area(), ours.right_area()];
+        let right = [
+            theirs(Winding::CounterClockwise, true),
+            theirs(Winding::Clockwise, true),
+            theirs(Winding::CounterClockwise, false),
+            theirs(Winding::Clockwise, false),
+        ];
+        for (found, right) in found.into_iter().zip(right) {
+            assert!((found - right).abs() < 1e5, "{corners:?} {found} {right}");
+        }
+    }
+    let mut half = area.polygon();
+    for lon in [0.0, 120.0, -120.0] {
+        half.add(place(0.0, lon));
+    }
+    let halves = [half.area(), half.clockwise_area(), half.left_area(), half.right_area()];
+    assert!(
+        halves.into_iter().all(|area| (area - WHOLE / 2.0).abs() < 0.1),
+        "{halves:?}"
+    );
+    let none = area.polygon();
+    assert_eq!(
+        [none.area(), none.clockwise_area(), none.left_area(), none.right_area()],
+        [0.0; 4]
+    );
+}
+
+/// Latitude and longitude, azimuths and lengths, area and perimeter.
+type ByEdges = ((f64, f64), &'static [(f64, f64)], f64, f64);
+
+/// Polygons by edges: as by their corners, if the edges are shortest lines; and GeographicLib 2.1.2's `AddEdge` for lines
+/// of several circuits, over poles, along the equator and backwards.
+#[test]
+fn polygons_by_edges() {
+    let area = Area::<f64>::new(Ellipsoid::WGS84).unwrap();
+    let karney = Karney::new(Ellipsoid::<f64>::WGS84).unwrap();
+    let mut rng = fastrand::Rng::with_seed(22);
+    for _ in 0..2000 {
+        let mut corners: Vec<_> = polygon(&mut rng)
+            .into_iter()
+            .map(|(lat, lon)| place(lat, lon))
+            .collect();
+        corners.dedup();
+        let (mut by_corners, mut by_edges) = (area.polygon(), area.polygon());
+        let mut short = true;
+        for (i, &corner) in corners.iter().enumerate() {
+            by_corners.add(corner);
+            if i == 0 {
+                by_edges.add(corner);
+                continue;
+            }
+            let line = karney.inverse(corners[i - 1], corner).unwrap();
+            let poles = corners[i - 1].lat().abs() == 90.0 || corner.lat().abs() == 90.0;
+            let across = (corner.lon() - corners[i - 1].lon()).abs();
+            short &= line.distance < 1.9e7 && !poles && across % 180.0 != 0.0;
+            by_edges.add_edge(line.azimuth1, line.distance).unwrap();
+        }
+        if !short {
+            continue;
+        }
+        let apart = (by_corners.area() - by_edges.area()).abs();
+        assert!(
+            apart < 50.0 || WHOLE - apart < 50.0 || by_corners.area().abs() > 0.5 * WHOLE - 50.0,
+            "{corners:?} {apart}"
+        );
+        assert!((by_corners.perimeter() - by_edges.perimeter()).abs() < 1e-6);
+        assert!((by_corners.length() - by_edges.length()).abs() < 1e-6);
+    }
+    let cases: [ByEdges; 5] = [
+        (
+            (10.0, 20.0),
+            &[(45.0, 25000000.0), (120.0, 30000000.0)],
+            -251042298707392.91,
+            69958237.938332736,
+        ),
+        (
+            (0.0, 0.0),
+            &[(0.0, 50000000.0), (90.0, 100000000.0)],
+            127644889087263.78,
+            160011792.8949188,
+        ),
+        (
+            (-30.0, -170.0),
+            &[(-0.0, 45000000.0), (-90.0, 30000000.0)],
+            -31962172292491.945,
+            85069844.588330626,
+        ),
+        (
+            (80.0, 10.0),
+            &[(10.0, 20000000.0), (-120.0, -5000000.0), (170.0, 90000000.0)],
+            -205869649800250.12,
+            119593265.39392339,
+        ),
+        (
+            (5.0, -0.0),
+            &[(180.0, 15000000.0), (-180.0, 60000000.0), (45.0, 100000.0)],
+            254846253509716.44,
+            80163235.914716601,
+        ),
+    ];
+    for (start, edges, right, perimeter) in cases {
+        let mut polygon = area.polygon();
+        assert_eq!(polygon.add_edge(0.0, 1.0), Ok(None));
+        polygon.add(place(start.0, start.1));
+        for &(azimuth, length) in edges {
+            polygon.add_edge(azimuth, length).unwrap();
+        }
+        assert!(
+            apart(polygon.area(), right, 1.0) < 20.0,
+            "{start:?} {edges:?} {} {right}",
+            polygon.area()
+        );
+        assert!((polygon.perimeter() - perimeter).abs() < 1e-6, "{start:?} {edges:?}");
+    }
+    let mut polygon = area.polygon();
+    polygon.add(place(1.0, 2.0));
+    let before = polygon;
+    assert!(polygon.add_edge(f64::NAN, 1.0).is_err() && polygon.add_edge(0.0, f64::INFINITY).is_err());
+    assert_eq!(polygon, before);
+}
+
+/// A square with a hole, added as two rings.
+#[test]
+fn rings_add_up() {
+    let area = Area::<f64>::new(Ellipsoid::WGS84).unwrap();
+    let outer = [(0.0, -5.0), (0.0, 5.0), (10.0, 5.0), (10.0, -5.0)];
+    let hole = [(4.0, -1.0), (6.0, -1.0), (6.0, 1.0), (4.0, 1.0)];
+    let mut both = area.polygon();
+    let mut sum = [0.0; 2];
+    for ring in [outer, hole] {
+        let mut one = area.polygon();
+        for (lat, lon) in ring {
+            both.add(place(lat, lon));
+            one.add(place(lat, lon));
+        }
+        both.close();
+        sum = [sum[0] + one.area(), sum[1] + one.perimeter()];
+    }
+    assert!((both.area() - sum[0]).abs() < 1e-2 && (both.perimeter() - sum[1]).abs() < 1e-6);
+    assert_eq!(both.length(), both.perimeter());
+}

@@ -6,11 +6,15 @@
 #[cfg(test)]
 mod areas;
 pub mod edges;
+pub mod fences;
 pub mod geodesic;
 pub mod grid;
 pub mod healpix;
+pub mod intersections;
+pub mod legs;
 pub mod position;
 pub mod projection;
 pub mod reference;
-pub mod route;
+pub mod rhumb;
+pub mod text;
 pub mod validation;

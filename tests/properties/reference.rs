@@ -151,6 +151,42 @@ fn balanced([x, y]: Plane) -> Vector {
     [half(x, p, q), half(y, q, p), of(1.0)]
 }
 
+/// u = x(1 + (1 − x²)P(x², y²)), v likewise: P from its coefficients cᵢⱼ of x²ⁱy²ʲ, which are whole numbers times the
+/// unit.
+fn edge_keeping([x, y]: Plane, coefficients: &[(usize, usize, i32)], unit: f64) -> Vector {
+    let half = |x: Double, y: Double| {
+        let power = |square: Double, n: usize| (0..n).fold(of(1.0), |product, _| product * square);
+        let sum = coefficients.iter().fold(of(0.0), |sum, &(i, j, c)| {
+            sum + of(c.into()) * power(x * x, i) * power(y * y, j)
+        });
+        x * (of(1.0) + (of(1.0) - x * x) * sum / of(unit))
+    };
+    [half(x, y), half(y, x), of(1.0)]
+}
+
+const EVEN: [(usize, usize, i32); 10] = [
+    (0, 0, -2766),
+    (0, 1, 340),
+    (0, 2, -1908),
+    (0, 3, 4685),
+    (0, 4, -1989),
+    (1, 0, -954),
+    (1, 3, 235),
+    (2, 1, -2125),
+    (2, 2, 1374),
+    (5, 0, -137),
+];
+const COMPACT: [(usize, usize, i32); 8] = [
+    (0, 0, -242),
+    (2, 0, 32),
+    (1, 1, 183),
+    (1, 2, -1119),
+    (1, 3, 904),
+    (3, 1, -69),
+    (0, 2, 483),
+    (0, 3, -375),
+];
+
 /// (xA(x, y), yA(y, x), 1 + z₂₀(p² + q²) + z₂₁(p²q + pq²)).
 fn square([x, y]: Plane) -> Vector {
     let (xx, yy) = (x * x, y * y);
@@ -268,6 +304,8 @@ pub fn inverse(projection: Projection, polar: bool, point: [f64; 2]) -> Option<[
         Projection::Arvo => arvo([x, y]),
         Projection::HybridEquiAngular => hybrid_equi_angular([x, y], polar),
         Projection::CobeRefit => cobe_refit([x, y]),
+        Projection::Even => edge_keeping([x, y], &EVEN, 1e4),
+        Projection::Compact => edge_keeping([x, y], &COMPACT, 1e3),
         // `CobeExact` and `Conformal` have no formula as short, `Tanh` has a logarithm.
         _ => return None,
     })

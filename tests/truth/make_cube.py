@@ -239,18 +239,26 @@ def balanced():
     return newton_forward(inverse), inverse
 
 
-def even():
-    """u = x (1 + (1 - x^2) P(x^2, y^2)), v likewise."""
-    coefficients = {(0, 0): -2766, (0, 1): 340, (0, 2): -1908, (0, 3): 4685, (0, 4): -1989, (1, 0): -954,
-                    (1, 3): 235, (2, 1): -2125, (2, 2): 1374, (5, 0): -137}
+def edge_keeping(coefficients, unit):
+    """u = x (1 + (1 - x^2) P(x^2, y^2)), v likewise: P has the coefficients of X^i Y^j, times the unit."""
 
     def half(x, y):
-        return x * (1 + (1 - x * x) * sum(mpf(c) / 10000 * x ** (2 * i) * y ** (2 * j) for (i, j), c in coefficients.items()))
+        return x * (1 + (1 - x * x) * sum(mpf(c) / unit * x ** (2 * i) * y ** (2 * j) for (i, j), c in coefficients.items()))
 
     def inverse(x, y):
         return half(x, y), half(y, x), ONE
 
     return newton_forward(inverse), inverse
+
+
+def even():
+    return edge_keeping({(0, 0): -2766, (0, 1): 340, (0, 2): -1908, (0, 3): 4685, (0, 4): -1989, (1, 0): -954,
+                         (1, 3): 235, (2, 1): -2125, (2, 2): 1374, (5, 0): -137}, 10000)
+
+
+def compact():
+    return edge_keeping({(0, 0): -242, (2, 0): 32, (1, 1): 183, (1, 2): -1119, (1, 3): 904, (3, 1): -69,
+                         (0, 2): 483, (0, 3): -375}, 1000)
 
 
 def creaseless():
@@ -533,6 +541,7 @@ MAPS = {
     "cobe-refit": ("Zucker & Higashi's refit of COBE's cube, decimal coefficients taken exactly; forward by Newton iteration",
                    cobe_refit),
     "even": ("Even cube, decimal coefficients taken exactly; forward by Newton iteration", even),
+    "compact": ("Compact cube, decimal coefficients taken exactly; forward by Newton iteration", compact),
     "creaseless": ("Creaseless equal-area cube; forward by Newton iteration", creaseless),
     "conformal": ("Conformal cube (Rancic, Purser & Mesinger), series of 320 terms about the nearest corner; "
                   "inverse by Newton iteration", conformal),

@@ -6,5 +6,6 @@
 mod constants;
 mod display;
 mod dms;
+mod nmea;
 mod parse;
 mod precision;

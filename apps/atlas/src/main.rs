@@ -16,6 +16,7 @@ mod indicatrix;
 mod land;
 mod legend;
 mod multiples;
+mod orientation;
 mod page;
 mod pareto;
 mod pen;

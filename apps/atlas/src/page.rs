@@ -11,6 +11,7 @@ use crate::article::article;
 use crate::cli::Options;
 use crate::globe::{self, CELLS, Grid};
 use crate::land::Land;
+use crate::orientation::{self, Orientation};
 use crate::{legend, multiples, pareto, ranking, table};
 use testkit::measure::Measures;
 
@@ -29,6 +30,8 @@ pub struct Shown {
     pub measures: Measures,
     /// Of the land, on the ellipsoid.
     pub land: Survey<f64>,
+    /// The cube turned for the land, if that gains anything.
+    pub orientation: Option<Orientation>,
     sketch: Grid,
 }
 
@@ -45,6 +48,7 @@ impl Shown {
             projection,
             measures: Measures::of(projection),
             land: dry,
+            orientation: orientation::search(projection, land),
             sketch: globe::sketch(map, SKETCH),
         }
     }
@@ -81,7 +85,8 @@ straight, and none has everything: equal areas, true angles, cells all alike, a 
 <p>For each projection there is the cube, unfolded, with the map of the Earth on it and a line every 15 degrees of latitude and longitude;
 and the globe, with a grid of {CELLS} by {CELLS} cells laid over each face and carried back to the ground. The edges of the cube are
 golden. What the cells of that grid look like on the globe is what a projection does to squares. The figures are in the
-<a href="#comparison">comparison</a>, who is best at what in the <a href="#ranking">ranking</a>, and what the figures mean is drawn as <a href="#bargains">points in a plane</a> and in
+<a href="#comparison">comparison</a>, who is best at what in the <a href="#ranking">ranking</a>, where to turn the cube in
+<a href="#orientation">turned for the land</a>, and what the figures mean is drawn as <a href="#bargains">points in a plane</a> and in
 <a href="#side-by-side">colours on the faces</a>.</p>
 </header>
 <nav aria-label="Projections">
@@ -100,7 +105,7 @@ golden. What the cells of that grid look like on the globe is what a projection 
 <p class="note">All figures and colours were measured on the sphere while this page was made, by dual numbers, the best of each column in
 gold; a heading that is pressed sorts by its column. The areas of a conformal cube have no bound, since its cells vanish in the corners.</p>
 </section>
-{ranking}<section aria-labelledby="bargains">
+{ranking}{orientation}<section aria-labelledby="bargains">
 <h2 id="bargains">Bargains</h2>
 <p>What is won in the shape of cells is paid in their size. Each point is a projection, and better is down and to the left. The
 three in gold were made for terrella.</p>
@@ -133,6 +138,7 @@ another map was given. Coastline: Natural Earth. Both are in the public domain.<
         table = table::table(shown),
         meanings = table::meanings(),
         ranking = ranking::section(shown),
+        orientation = orientation::section(shown),
         texels = pareto::texels(shown),
         shapes = pareto::shapes(shown),
         multiples = multiples::section(shown),

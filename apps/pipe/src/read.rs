@@ -143,6 +143,35 @@ single! {
     u64, whole;
 }
 
+/// A column as it is.
+impl Read for String {
+    const COLUMNS: Count = Count::exactly(1);
+
+    fn read(fields: &mut Fields) -> Result<Self, Failure> {
+        Ok(fields.text()?.to_owned())
+    }
+}
+
+/// All columns that are left, with spaces between them; at least one.
+pub struct Rest(pub String);
+
+impl Read for Rest {
+    const COLUMNS: Count = Count {
+        least: 1,
+        further: 0,
+        repeated: 1,
+    };
+
+    fn read(fields: &mut Fields) -> Result<Self, Failure> {
+        let mut text = fields.text()?.to_owned();
+        while !fields.is_empty() {
+            text.push(' ');
+            text.push_str(fields.text()?);
+        }
+        Ok(Self(text))
+    }
+}
+
 impl<C: Read, const N: usize> Read for [C; N] {
     const COLUMNS: Count = Count::exactly(N * C::COLUMNS.least);
 

@@ -53,6 +53,13 @@ single! {
     u64 => "{}";
 }
 
+/// Text, of which each word is a column.
+impl Row for String {
+    fn write(&self, columns: &mut Columns) -> fmt::Result {
+        self.split(' ').try_for_each(|word| columns.put(word))
+    }
+}
+
 impl Row for bool {
     fn write(&self, columns: &mut Columns) -> fmt::Result {
         u8::from(*self).write(columns)

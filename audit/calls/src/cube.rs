@@ -1,8 +1,8 @@
 use core::marker::PhantomData;
 
 use terrella::cube::{
-    Corner, CubeMap, CubeProjection, Edge, Face, FacePoint, Faces, Healpix, Numbering, Projection, ProjectionTask,
-    QuadCube, Rotation, Stretched, Tangential, Turned, Vertex,
+    Cell, Corner, CubeMap, CubeProjection, Edge, Face, FacePoint, Faces, Healpix, Numbering, Projection,
+    ProjectionTask, QuadCube, Rotation, Stretched, Tangential, Turned, Vertex,
 };
 use terrella::{Dual, Ellipsoid, Real, Shift};
 
@@ -127,7 +127,7 @@ fn maps<T: Scalar, V: Visitor>(visitor: &mut V) {
         })
     });
     let any_name = |arguments: &mut Arguments| {
-        let index = arguments.below(17) as usize;
+        let index = arguments.below(Projection::ALL.len() as u64 + 1) as usize;
         Projection::ALL
             .get(index)
             .map_or("nothing", |projection| projection.name())
@@ -285,6 +285,32 @@ fn faces<T: Scalar, V: Visitor>(visitor: &mut V) {
         |arguments| arguments.below(6) as usize,
         |index| Face::ALL.get(index).map(|&face| Face::name(face).len()),
     );
+    let cells = |arguments: &mut Arguments| {
+        let n = arguments.below(100) as u32;
+        let index = [(); 2].map(|()| arguments.below(100) as u32);
+        (arguments.face_point::<T>(), n, index, arguments.below(4) as usize)
+    };
+    visitor.function::<T, _, _>("Cell::containing", cells, |(point, n, [i, j], index)| {
+        let edge = Edge::ALL.get(index).copied().unwrap_or(Edge::Up);
+        let corner = Corner::ALL.get(index).copied().unwrap_or(Corner::UpLeft);
+        let numbers = |cell: Cell| (Cell::face(cell), Cell::n(cell), Cell::i(cell), Cell::j(cell));
+        let places = |cell: Cell| {
+            (
+                Cell::centre::<T>(cell),
+                Cell::corner::<T>(cell, corner),
+                Cell::corners::<T>(cell),
+            )
+        };
+        let beside = |cell: Cell| {
+            (
+                numbers(Cell::neighbour(cell, edge)),
+                Cell::diagonal(cell, corner).map(numbers),
+            )
+        };
+        let all = |cell: Cell| (numbers(cell), places(cell), beside(cell));
+        let given = Cell::new(point.face(), n, i, j).map(all).ok();
+        (Cell::containing(point, n).map(all).ok(), given)
+    });
     visitor.function::<T, _, _>("FacePoint::new", Arguments::units::<T, 2>, |[x, y]| {
         let twice = T::of(2.0);
         FacePoint::new(Face::Back, x * twice, y * twice)

@@ -14,17 +14,21 @@ mod bits;
 mod catalogue;
 mod cube;
 mod distortion;
+mod fences;
 mod frame;
 mod geodesic;
 mod grid;
 mod healpix;
+mod intersections;
 mod latitude;
+mod legs;
 mod math;
 mod position;
-mod route;
+mod rhumb;
 mod scene;
 #[cfg(feature = "terrain")]
 mod terrain;
+mod text;
 
 use core::fmt;
 
@@ -163,8 +167,12 @@ pub fn every_in<T: Scalar, V: Visitor>(visitor: &mut V) {
     geodesic::show::<T, V>(visitor);
     catalogue::show::<T, V>(visitor);
     healpix::show::<T, V>(visitor);
-    route::show::<T, V>(visitor);
+    legs::show::<T, V>(visitor);
+    fences::show::<T, V>(visitor);
+    intersections::show::<T, V>(visitor);
+    rhumb::show::<T, V>(visitor);
     grid::show::<T, V>(visitor);
+    text::show::<T, V>(visitor);
     batch::show::<T, V>(visitor);
     scene::show::<T, V>(visitor);
     #[cfg(feature = "terrain")]

@@ -1,4 +1,4 @@
-use terrella::{Direction, Dms, DmsLatLon, Ecef, Ellipsoid, Geodetic, GeodeticSeries, LatLon};
+use terrella::{Direction, Dms, DmsLatLon, Ecef, Ellipsoid, Geodetic, GeodeticSeries, LatLon, NmeaLatLon};
 
 use crate::{Arguments, Function, Scalar, Visitor};
 
@@ -23,6 +23,9 @@ pub fn show<T: Scalar, V: Visitor>(visitor: &mut V) {
                 Dms::digits(angle),
             )
         })
+    });
+    visitor.function::<T, _, _>("LatLon::to_nmea", Arguments::place::<T>, |place| {
+        NmeaLatLon::to_lat_lon::<T>(LatLon::to_nmea(place, 4))
     });
     visitor.function::<T, _, _>("LatLon::to_direction", Arguments::place::<T>, LatLon::to_direction);
     visitor.function::<T, _, _>("Direction::new", three, |[x, y, z]| Direction::new(x, y, z));

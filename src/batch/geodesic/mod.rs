@@ -81,7 +81,7 @@ fn within<T: Real>([lat, lon]: [T; 2]) -> LatLon<T> {
 }
 
 /// Each place of a path and the next.
-fn path_legs<T>(path: [&[T]; 2]) -> ([&[T]; 2], [&[T]; 2]) {
+pub(super) fn path_legs<T>(path: [&[T]; 2]) -> ([&[T]; 2], [&[T]; 2]) {
     let from = path.map(|column| column.split_last().map_or(column, |(_, rest)| rest));
     let to = path.map(|column| column.split_first().map_or(column, |(_, rest)| rest));
     (from, to)

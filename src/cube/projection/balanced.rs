@@ -8,15 +8,16 @@ projection! {
     Balanced "balanced" {
         title: "Balanced",
         also: "",
-        summary: "The balanced cube: a polynomial map with the least texture oversize.",
+        summary: "The balanced cube: a short polynomial map with little texture oversize.",
         idea: "A polynomial with three coefficients, found by minimax search, so that cells differ as little \
             as possible both in area and in the ratio of their sides. The way to the sphere takes ten \
             multiplications and additions for each coordinate, and one square root.",
         origin: "Made for terrella: the texture oversize of Dimitrijević, Lambers & Rančić (2016), eq. \
             3.9, is 1.405 where their best projection has 2.",
-        choose: "Take it for the least texture memory. For equal areas take [`Vertex`](super::Vertex). For \
-            speed from the sphere to the cube take [`S2Quadratic`](super::S2Quadratic) (79 instructions \
-            instead of 240, but texture oversize 2.105 instead of 1.405).",
+        choose: "Take it for little texture memory at little cost; [`Compact`](super::Compact) has less (1.355), at \
+            more cost. For equal areas take [`Vertex`](super::Vertex). For speed from the sphere to the cube \
+            take [`S2Quadratic`](super::S2Quadratic) (79 instructions instead of 240, but texture oversize \
+            2.105 instead of 1.405).",
         keeps: None,
         area_ratio: 1.488,
         aspect_ratio: 1.403,

@@ -16,9 +16,8 @@ projection! {
             vary by 1.875 to 1.",
         origin: "Proposed for panoramic video in H.266 (VVC): HEC of the reference software 360Lib; a \
             member of the generalized cubemap of H.274. Without the padding that 360Lib adds to faces.",
-        choose: "Take it to read and write video that was made with it. [`Adjusted`](super::Adjusted) has \
-            less texture oversize (2.000 instead of 2.546) and less distortion (ω 31.1° instead of 40.7°), \
-            and [`Balanced`](super::Balanced) the least of both (1.405, 31.1°).",
+        choose: "Take it to read and write video that was made with it. [`Balanced`](super::Balanced) has \
+            less texture oversize (1.405 instead of 2.546) and less distortion (ω 31.1° instead of 40.7°).",
         keeps: None,
         area_ratio: 2.041,
         aspect_ratio: 2.546,

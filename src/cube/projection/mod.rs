@@ -3,6 +3,7 @@
 mod catalogue;
 mod cube_projection;
 mod decay;
+mod edge_keeping;
 mod faces;
 mod odd;
 mod profile;
@@ -52,4 +53,5 @@ projections! {
     cobe_refit::CobeRefit,
     even::Even,
     creaseless::Creaseless,
+    compact::Compact,
 }

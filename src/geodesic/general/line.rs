@@ -93,7 +93,7 @@ impl<T: Real> Line<T> {
         Ok(Self::along(solver, from, azimuth))
     }
 
-    /// The same at an azimuth known to be finite.
+    /// The line from a place at a finite azimuth in degrees.
     pub(in crate::geodesic) fn along(solver: &Solver<T>, from: LatLon<T>, azimuth: T) -> Self {
         let alpha1 = Angle::degrees(rounded(azimuth.remainder(T::of(360.0))));
         let (beta1, _) = solver.parametric(rounded(from.lat()));
@@ -176,6 +176,25 @@ impl<T: Real> Line<T> {
         }
         let integrals = &self.solver.integrals;
         Ok(self.reach(tau12, true, |row, sigma| integrals.sines(row, sigma)))
+    }
+
+    /// The degrees of longitude that the line turns through on the way to a place, with whole circles, to 2°.
+    /// Over a pole it is 180, with the sign of the azimuth.
+    pub(in crate::geodesic) fn turn(&self, place: &Place<T>) -> T {
+        let east = T::ONE.copysign(self.alpha0.sin);
+        let sigma2 = place.sigma2;
+        let omega2 = Angle {
+            sin: self.alpha0.sin * sigma2.sin * east,
+            cos: sigma2.cos,
+        };
+        let omega1 = Angle {
+            sin: self.omega1.sin * east,
+            ..self.omega1
+        };
+        let arc = place.point.arc * T::of(PI / 180.0);
+        // σ and ω go round together.
+        let beyond = (omega2.to_radians() - sigma2.to_radians()) - (omega1.to_radians() - self.sigma1.to_radians());
+        (east * (arc + beyond) + self.a3 * arc) * T::of(180.0 / PI)
     }
 
     /// The point of [`Self::at`] without a branch, and whether it is that, bit for bit: not on ellipsoids far

@@ -20,7 +20,7 @@ mod newton;
 mod start;
 
 pub use canonical::{Canonical, Course, Segment};
-pub use line::{Line, LinePoint, Passage};
+pub use line::{Line, LinePoint, Passage, Place};
 
 use canonical::tiny;
 

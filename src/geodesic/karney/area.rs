@@ -3,7 +3,7 @@ use super::edge::Edge;
 use super::polygon::PolygonArea;
 use crate::geodesic::GeodesicError;
 use crate::geodesic::angle::{Angle, longitude_difference};
-use crate::geodesic::general::{Canonical, Course};
+use crate::geodesic::general::{Canonical, Course, Line, Place};
 use crate::geodesic::series::{AreaSeries, Integrals};
 use crate::geodesic::sphere::{arc_from_node, node};
 use crate::latitude::UnsupportedFlattening;
@@ -167,6 +167,31 @@ impl<T: Real> Area<T> {
     pub fn under_direct(&self, from: LatLon<T>, azimuth: T, distance: T) -> Result<T, GeodesicError<T>> {
         let line = self.karney.line(from, azimuth)?;
         let place = line.place(distance)?;
+        Ok(self.under_line(&line, &place).value() + T::ZERO)
+    }
+
+    /// The edge of a line from its start to a place of it, and where it ends.
+    pub(super) fn direct_edge(
+        &self,
+        from: LatLon<T>,
+        azimuth: T,
+        distance: T,
+    ) -> Result<(Edge<T>, LatLon<T>), GeodesicError<T>> {
+        let line = self.karney.line(from, azimuth)?;
+        let place = line.place(distance)?;
+        let to = place.point.position;
+        // Whole circles, counted from the longitude that the place has.
+        let circles = (from.lon() + line.turn(&place) - to.lon()) / T::of(360.0);
+        let odd = circles.round_ties_even().remainder(T::of(2.0)) != T::ZERO;
+        let edge = Edge {
+            length: distance,
+            under: self.under_line(&line, &place),
+            crosses: odd ^ (from.lon() < T::ZERO) ^ (to.lon() < T::ZERO),
+        };
+        Ok((edge, to))
+    }
+
+    fn under_line(&self, line: &Line<T>, place: &Place<T>) -> DoubleWord<T> {
         let (alpha0, sigma1, sigma2) = (line.alpha0(), line.sigma1(), place.sigma2);
         let meridional = alpha0.sin == T::ZERO || alpha0.cos == T::ZERO;
         let turn = if meridional {
@@ -188,7 +213,7 @@ impl<T: Real> Area<T> {
         } else {
             self.beyond_sphere(alpha0, [sigma1, sigma2])
         };
-        Ok(self.with_sphere(turn.to_radians(), oblateness).value() + T::ZERO)
+        self.with_sphere(turn.to_radians(), oblateness)
     }
 
     /// c²·excess + oblateness: near a pole the first is the area of a wide triangle, however short the line.

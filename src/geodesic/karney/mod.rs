@@ -180,9 +180,14 @@ impl<T: Real> Karney<T> {
         Line::new(&self.general, from, azimuth)
     }
 
-    /// The solution of [`Geodesic::inverse`], which never fails.
-    #[inline(always)]
-    pub(crate) fn between(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
+    /// The line at an azimuth that is known to be finite.
+    pub(crate) fn line_along(&self, from: LatLon<T>, azimuth: T) -> Line<T> {
+        Line::along(&self.general, from, azimuth)
+    }
+
+    /// The line of [`Geodesic::inverse`], which never fails.
+    #[inline]
+    pub(crate) fn way(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
         if self.fast.exact() {
             if let Some(line) = self.fast.inverse(from, to) {
                 return line;
@@ -193,7 +198,7 @@ impl<T: Real> Karney<T> {
 
     /// The line of [`Geodesic::inverse`], and its length.
     pub(crate) fn line_between(&self, from: LatLon<T>, to: LatLon<T>) -> (Line<T>, T) {
-        let way = self.between(from, to);
+        let way = self.way(from, to);
         (Line::along(&self.general, from, way.azimuth1), way.distance)
     }
 }
@@ -202,7 +207,7 @@ impl<T: Real> Geodesic<T> for Karney<T> {
     /// Never fails.
     #[inline]
     fn inverse(&self, from: LatLon<T>, to: LatLon<T>) -> Result<Inverse<T>, GeodesicError<T>> {
-        Ok(self.between(from, to))
+        Ok(self.way(from, to))
     }
 
     /// # Errors

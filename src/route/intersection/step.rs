@@ -43,7 +43,7 @@ impl<T: Real> Intersections<T> {
     /// One step on the sphere, from the triangle of the two points and the intersection (appendix A).
     fn step(&self, one: &Line<T>, other: &Line<T>, [x, y]: [T; 2]) -> Step<T> {
         let (a, b) = (one.near(x), other.near(y));
-        let way = self.karney.between(a.position, b.position);
+        let way = self.karney.way(a.position, b.position);
         let z = way.distance / self.radius;
         let (sin_z, cos_z) = sin_cos(z);
         // From each line to the way between the points.

@@ -2,7 +2,6 @@
 
 use terrella::LatLon;
 use terrella::geodesic::{Area, Geodesic, Karney};
-use terrella::math::sin_cos_degrees;
 
 use super::{Answer, Failure, Group, answer, group};
 use crate::options::{Line, Planet};
@@ -19,8 +18,6 @@ pub const GROUP: Group = group! {
         "lat1 lon1 lat2 lon2 fraction -> lat lon azi: where a fraction of the way is done", line_between(Planet);
     "line-toward"
         "lat1 lon1 lat2 lon2 s -> lat lon azi a12 m12 M12 M21 S12: at a distance on the way", line_toward(Planet);
-    "gnomonic"
-        "lat0 lon0 lat lon -> x y: Karney's gnomonic projection about lat0 lon0 (2013, section 8)", gnomonic(Planet);
 };
 
 fn inverse<T: Number>(line: Line) -> Result<Answer, Failure> {
@@ -71,19 +68,5 @@ fn line_toward<T: Number>(planet: Planet) -> Result<Answer, Failure> {
         let azimuth = karney.solve(from, to).inverse.azimuth1;
         let point = karney.line(from, azimuth)?.at(distance)?;
         Ok((point, area.under_direct(from, azimuth, distance)?))
-    })
-}
-
-fn gnomonic<T: Number>(planet: Planet) -> Result<Answer, Failure> {
-    let karney = Karney::new(planet.ellipsoid::<T>()?)?;
-    answer(move |[centre, place]: [LatLon<T>; 2]| {
-        let way = karney.solve(centre, place);
-        if way.scale12 > T::ZERO {
-            let (sin, cos) = sin_cos_degrees(way.inverse.azimuth1);
-            let rho = way.reduced_length / way.scale12;
-            Ok([rho * sin, rho * cos])
-        } else {
-            Err("beyond the horizon of the gnomonic projection".into())
-        }
     })
 }

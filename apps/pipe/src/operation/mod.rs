@@ -2,16 +2,21 @@
 
 mod angle;
 mod cell;
+mod closest;
 mod cube;
+mod fence;
 mod frame;
 mod geodesic;
+mod grid;
 mod healpix;
 mod horizon;
 mod intersection;
 mod latitude;
 mod polygon;
 mod position;
+mod rhumb;
 mod sphere;
+mod text;
 
 use std::error::Error;
 use std::fmt;
@@ -41,10 +46,15 @@ pub struct Group {
 pub const GROUPS: &[Group] = &[
     geodesic::GROUP,
     polygon::GROUP,
+    rhumb::GROUP,
+    closest::GROUP,
+    fence::GROUP,
     sphere::GROUP,
     position::GROUP,
+    text::GROUP,
     frame::GROUP,
     latitude::GROUP,
+    grid::GROUP,
     cube::GROUP,
     cell::GROUP,
     healpix::GROUP,

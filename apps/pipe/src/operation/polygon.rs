@@ -24,23 +24,12 @@ fn polygon<T: Number>(planet: Planet) -> Result<Answer, Failure> {
 }
 
 fn polygon_of_edges<T: Number>(planet: Planet) -> Result<Answer, Failure> {
-    let ellipsoid = planet.ellipsoid::<T>()?;
-    let (karney, area) = (Karney::new(ellipsoid)?, Area::new(ellipsoid)?);
+    let area = Area::new(planet.ellipsoid::<T>()?)?;
     answer(move |(first, edges): (LatLon<T>, Vec<[T; 2]>)| {
         let mut polygon = area.polygon();
         polygon.add(first);
-        let mut corner = first;
         for [azimuth, length] in edges {
-            let line = karney.line(corner, azimuth)?;
-            corner = line.at(length)?.position;
-            // A long edge is not the shortest way to its end: it is added in parts, each of which is.
-            let part = ellipsoid.a().copysign(length);
-            let mut distance = part;
-            while distance.abs() < length.abs() {
-                polygon.add(line.at(distance)?.position);
-                distance += part;
-            }
-            polygon.add(corner);
+            polygon.add_edge(azimuth, length)?;
         }
         Ok([polygon.area(), polygon.perimeter()])
     })

@@ -39,6 +39,7 @@ fn places_and_vectors() {
         ("polygon", "1 2 3 4"),
         ("polygon-edges", "1 2 3 4"),
         ("polyline", "1 2 3 4"),
+        ("contains", "1 2 3 4"),
         ("gc-mid", "1 2 3 4"),
         ("gc-frac", "1 2 3 4 0.5"),
         ("intersect", "1 2 30 4 5 60"),
@@ -65,11 +66,7 @@ fn places_and_vectors() {
     );
     in_place("latlon", "1 2 3", &[(b"0 0 0", "(0.0, 0.0, 0.0) has no direction")]);
     in_place("wrap", "1", &[(b"inf", "longitude inf is not finite")]);
-    in_place(
-        "gnomonic",
-        "0 0 1 1",
-        &[(b"0 0 0 91", "beyond the horizon of the gnomonic projection")],
-    );
+    in_place("gnomonic", "0 0 1 1", &[(b"0 0 0 91", "the map does not reach 0, 91")]);
     in_place("line", "1 2 3 4", &[(b"1 2 nan 4", "azimuth NaN is not finite")]);
     in_place("radii", "moon", &[(b"1,2", "flattening 2.0 is not in [-1000, 1)")]);
 }
@@ -191,4 +188,44 @@ fn every_line_is_answered_whatever_it_holds() {
             assert_eq!(run.output.lines().count(), lines.len(), "{}", case.command);
         }
     }
+}
+
+#[test]
+fn grids() {
+    in_place(
+        "from-utm",
+        "31 n 500000 0",
+        &[
+            (b"61 n 500000 0", "zone 61 is not in 0 to 60"),
+            (b"31 x 500000 0", "\"x\" is not n or s"),
+            (b"31 n 1000001 0", "easting 1000001.0 is outside the grid"),
+            (b"0 n 2000000 0", "northing 0.0 is outside the grid"),
+        ],
+    );
+    in_place(
+        "from-mgrs",
+        "31NEA",
+        &[
+            (b"61NEA", "zone 61 is not in 1 to 60"),
+            (b"31IEA", "'I' is not the letter of a band"),
+            (b"31NEA123", "3 digits, not as many for easting as for northing"),
+            (b"31NEV", "row V is not in band N"),
+        ],
+    );
+    in_place(
+        "utm --zone 31",
+        "0 3",
+        &[(
+            b"0 64",
+            "longitude 64.0 is more than 60 degrees from the zone's meridian",
+        )],
+    );
+    assert!(complaint("mgrs --precision 12").contains("precision 12 is above 11"));
+    assert!(complaint("utm --zone 61").contains("zone 61 is not in 0 to 60"));
+    in_place(
+        "from-tm",
+        "0 1 1",
+        &[(b"0 2e7 1", "point (20000000.0, 1.0) is outside the map")],
+    );
+    in_place("laea", "0 0 0 1", &[(b"0 0 0 180", "the map does not reach 0, 180")]);
 }

@@ -30,9 +30,12 @@ pub fn cases() -> Vec<Case> {
     rows.map(case).collect()
 }
 
-/// Whether a number is the expected one to the digits given, and so much of it and of 1 beside.
+/// Whether a number is the expected one to the digits given, and so much of it and of 1 beside; or a word is.
 fn agrees(found: &str, expected: &str, allowed: f64) -> bool {
-    let (number, wanted): (f64, f64) = (found.parse().unwrap(), expected.parse().unwrap());
+    let Ok(wanted) = expected.parse::<f64>() else {
+        return found == expected;
+    };
+    let number: f64 = found.parse().unwrap();
     let decimals = expected.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let half_digit = 0.5001 * 0.1_f64.powi(decimals as i32);
     (number - wanted).abs() <= half_digit + allowed * (1.0 + wanted.abs())

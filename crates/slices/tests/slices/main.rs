@@ -6,14 +6,18 @@
 mod area;
 mod batch;
 mod cube;
+mod fence;
 mod frame;
 mod geodesic;
+mod grid;
 mod healpix;
 mod intersection;
 mod line;
 mod polygon;
 mod position;
 mod refused;
+mod rhumb;
+mod route;
 mod scene;
 mod terrain;
 

@@ -1,4 +1,4 @@
-//! Laws of the room `route`.
+//! Intersections, and what a line passes.
 
 use terrella::geodesic::Karney;
 use terrella::route::{Intersections, Segment};
