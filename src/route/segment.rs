@@ -17,7 +17,8 @@ use crate::{Ellipsoid, InvalidLatLon, LatLon, Real};
 /// let (london, tokyo) = (LatLon::new(51.5_f64, -0.1)?, LatLon::new(35.7, 139.8)?);
 /// let flight = Segment::new(&earth, london, tokyo);
 /// let top = flight.northernmost();
-/// assert_eq!(format!("{:.2} after {:.0} km", top.point.position, top.distance / 1e3), "70.99, 64.19 after 3806 km");
+/// assert_eq!(format!("{:.2}", top.point.position), "70.99, 64.19");
+/// assert_eq!((top.distance / 1e3).round(), 3806.0);
 /// let stops = flight.waypoints(1e6)?;
 /// assert_eq!(format!("{:.6} km, {}", flight.length() / 1e3, stops.len()), "9584.874531 km, 11");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -7,8 +7,8 @@ use crate::simd::{Sink, Source};
 use crate::{InvalidLatLon, LatLon, Real};
 
 /// Finds where pairs of segments intersect, with the bits of [`Intersections::of_segments`]: each segment by
-/// latitude and longitude of both ends, in degrees; the results are both displacements in metres, latitude and
-/// longitude. They are NaN where segments do not intersect, which is no error.
+/// latitude and longitude of both ends, in degrees; the results are both displacements in metres, latitude
+/// and longitude. They are NaN where segments do not intersect, which is no error.
 ///
 /// Segments are taken one by one: the number of steps depends on them.
 ///
