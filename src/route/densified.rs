@@ -27,7 +27,7 @@ const HALVINGS: u32 = 26;
 /// let (tokyo, lima) = (LatLon::new(35.7_f64, 139.8)?, LatLon::new(-12.0, -77.0)?);
 /// let points: Vec<_> = Segment::new(&earth, tokyo, lima).densified(10e3)?.collect();
 /// assert_eq!((points[0], points.last()), ([35.7, 139.8], Some(&[-12.0, 283.0])));
-/// assert_eq!(points.len(), 20);
+/// assert_eq!(points.len(), 25);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -17,9 +17,10 @@ use crate::{Ellipsoid, InvalidLatLon, LatLon, Real};
 /// let (london, tokyo) = (LatLon::new(51.5_f64, -0.1)?, LatLon::new(35.7, 139.8)?);
 /// let flight = Segment::new(&earth, london, tokyo);
 /// let top = flight.northernmost();
-/// assert_eq!(format!("{:.2} after {:.0} km", top.point.position, top.distance / 1e3), "71.51, 65.29 after 3542 km");
+/// assert_eq!(format!("{:.2}", top.point.position), "70.99, 64.19");
+/// assert_eq!((top.distance / 1e3).round(), 3806.0);
 /// let stops = flight.waypoints(1e6)?;
-/// assert_eq!((flight.length() / 1e3, stops.len()), (9582.151_024_370_744, 11));
+/// assert_eq!(format!("{:.6} km, {}", flight.length() / 1e3, stops.len()), "9584.874531 km, 11");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +83,7 @@ impl<T: Real> Segment<T> {
     /// let earth = Karney::new(Ellipsoid::WGS84)?;
     /// let parallel = Segment::new(&earth, LatLon::new(60.0_f64, 170.0)?, LatLon::new(60.0, -160.0)?);
     /// let third = parallel.fraction(1.0 / 3.0)?.position;
-    /// assert_eq!(format!("{third:.3}"), "60.781, 179.889");
+    /// assert_eq!(format!("{third:.3}"), "60.758, 179.921");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn fraction(&self, fraction: T) -> Result<LinePoint<T>, GeodesicError<T>> {

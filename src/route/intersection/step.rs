@@ -65,7 +65,8 @@ impl<T: Real> Intersections<T> {
             } else {
                 Overlap::Antiparallel
             };
-            // Each point goes half of the way to the other. Between antipodes there is a way in any direction.
+            // Each point goes half of the way to the other. Between antipodes there is a way in any
+            // direction.
             let half = (way.distance * T::of(0.5)).copysign(cos1);
             return Step {
                 by: [half, -overlap.sign::<T>() * half],

@@ -26,7 +26,7 @@ use crate::geodesic::Line;
 /// let all = Intersections::new(Ellipsoid::WGS84)?.within(&one, &other, 40_000e3)?;
 /// assert_eq!(all.most(), 9);
 /// let found: Vec<_> = all.map(|met| (met.displacement1 / 1e3).round()).collect();
-/// assert_eq!(found, [6058.0, -13946.0, 26062.0, 6058.0]);
+/// assert_eq!(found, [6058.0, -33942.0, -13942.0, -13942.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
