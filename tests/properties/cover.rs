@@ -133,7 +133,7 @@ fn rays<T: Scalar>(bytes: &mut Bytes<'_>) {
         for height in [height, T::ZERO] {
             if let Some(distance) = earth.meet(&ray, height).distance() {
                 assert!(
-                    distance >= T::ZERO || distance.is_nan() || height != T::ZERO,
+                    distance.partial_cmp(&T::ZERO) != Some(core::cmp::Ordering::Less) || height != T::ZERO,
                     "{} {ray:?} {height:?} {distance:?}",
                     T::NAME
                 );
