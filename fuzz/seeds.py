@@ -122,7 +122,7 @@ def main(directory):
         seeds.add("neighbours", pixel)
         seeds.add("place_is_true", [*pixel, row["dx"], row["dy"]])
 
-    seeds = Seeds(directory, "route")
+    seeds = Seeds(directory, "legs")
     for row in rows("closest"):
         leg = [0, row["lat1"], row["lon1"], row["lat2"], row["lon2"], 0, row["lat"], row["lon"]]
         seeds.add("closest_on_ellipsoid", [EARTH, *leg])

@@ -18,10 +18,10 @@ use crate::math::select;
 ///
 /// let c48 = CubeMap::new(Ellipsoid::<f64>::WGS84, Shift::Geodetic, EquiEdge)?;
 /// let cell = Cell::containing(c48.project(LatLon::new(52.5, 13.4)?), 48)?;
-/// assert_eq!(cell, Cell::new(Face::Top, 48, 29, 4)?);
+/// assert_eq!(cell, Cell::new(Face::Top, 48, 28, 5)?);
 /// let centre = c48.unproject(cell.centre());
 /// assert!((centre.lat() - 52.5).abs() < 1.0 && (centre.lon() - 13.4).abs() < 1.5);
-/// assert_eq!(cell.neighbour(Edge::Right), Cell::new(Face::Top, 48, 30, 4)?);
+/// assert_eq!(cell.neighbour(Edge::Right), Cell::new(Face::Top, 48, 29, 5)?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "cubed-sphere")]

@@ -7,7 +7,7 @@ use testkit::bytes::Bytes;
 use testkit::properties;
 use testkit::scalar::Scalar;
 
-properties!(rhumb_inverse rhumb_direct rhumb_any headings);
+properties! { rhumb_inverse rhumb_direct rhumb_any headings }
 
 fn double<T: Scalar>(value: T) -> f64 {
     value.into()

@@ -7,7 +7,7 @@ use testkit::bytes::Bytes;
 use testkit::properties;
 use testkit::scalar::Scalar;
 
-properties!(geohashes plus_codes web_tiles text);
+properties! { geohashes plus_codes web_tiles text }
 
 /// A cell holds its place, its text is read again, its neighbours' neighbour it is.
 fn geohashes<T: Scalar>(bytes: &mut Bytes<'_>) {

@@ -1,10 +1,10 @@
 use core::iter::FusedIterator;
 
-use super::super::InvalidTile;
-use super::super::selection::after;
 use super::{Region, Relation, Tile};
 use crate::Real;
 use crate::cube::{CubeMap, CubeProjection, Face};
+use crate::terrain::InvalidTile;
+use crate::terrain::selection::after;
 
 /// The tiles that cover a region: an iterator that needs no memory beyond itself.
 ///

@@ -51,7 +51,7 @@ use crate::{Direction, LatLon, Real, Shifted};
 /// let fence = Fence::new(&karney, &rings);
 /// let polygon = Near::new(|place| fence.distance(place), 0.0, &corners, &[])?;
 /// assert_eq!(Covering::new(map, corridor, 8)?.count(), 30);
-/// assert_eq!(Covering::new(map, polygon, 8)?.inner().count(), 0);
+/// assert_eq!(Covering::new(map, polygon, 8)?.inner().count(), 27);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "buffer")]
