@@ -132,6 +132,7 @@ macro_rules! parts {
         }
     )*};
 }
+#[cfg(feature = "routes")]
 pub(crate) use parts;
 
 parts! {
