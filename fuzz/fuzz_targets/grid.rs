@@ -1,5 +1,5 @@
 #![no_main]
 
-use terrella_fuzz::{property, grid};
+use terrella_fuzz::{grid, property};
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| property::run(grid::PROPERTIES, bytes));

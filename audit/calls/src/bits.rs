@@ -132,7 +132,7 @@ macro_rules! parts {
         }
     )*};
 }
-#[cfg(feature = "routes")]
+#[cfg(any(feature = "routes", feature = "terrain"))]
 pub(crate) use parts;
 
 parts! {

@@ -74,7 +74,8 @@ fn fly() -> Option<()> {
             let track = legs.track_beside(&leg, place);
             let here = plane.offset(place);
             if time % 20 == 0 {
-                let [along, across, left] = [track.along, 100.0 * track.across, -fence.distance(here)].map(|v| v as i32);
+                let [along, across, left] =
+                    [track.along, 100.0 * track.across, -fence.distance(here)].map(|v| v as i32);
                 hprintln!("{}\t{}\t{}\t{}\t{}", time, number + 1, along, across, left);
             }
             if fence.side(here) != Side::Inside {
