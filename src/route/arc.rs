@@ -1,7 +1,7 @@
 use core::fmt;
 
 use crate::geodesic::{Direct, Geodesic, GeodesicError, Inverse, Karney, wrapped};
-use crate::math::{max, min, sin_cos_degrees};
+use crate::math::{Polynomial, max, min, sin_cos_degrees};
 use crate::{LatLon, Real};
 
 /// The direction of a turn.
@@ -85,11 +85,11 @@ pub struct Arc<'a, T> {
 }
 
 /// Gauss's rule of 6 places: half of them in [−1, 1], and their weights.
-const RULE: [(f64, f64); 3] = [
-    (0.238_619_186_083_196_9, 0.467_913_934_572_691_04),
-    (0.661_209_386_466_264_5, 0.360_761_573_048_138_6),
-    (0.932_469_514_203_152, 0.171_324_492_379_170_36),
-];
+const PLACES: Polynomial<3, 3> =
+    Polynomial::rounded([0.238_619_186_083_196_9, 0.661_209_386_466_264_5, 0.932_469_514_203_152]);
+const WEIGHTS: Polynomial<3, 3> = Polynomial::rounded([
+    0.467_913_934_572_691_04, 0.360_761_573_048_138_6, 0.171_324_492_379_170_36,
+]);
 
 fn radians<T: Real>(degrees: T) -> T {
     degrees * T::of(core::f64::consts::PI / 180.0)
@@ -280,9 +280,9 @@ impl<'a, T: Real> Arc<'a, T> {
         let mut sum = T::ZERO;
         for part in 0..parts {
             let middle = half * T::whole(2 * part as u64 + 1);
-            for (place, weight) in RULE {
-                let aside = half * T::of(place);
-                sum += T::of(weight) * (self.width(middle - aside) + self.width(middle + aside));
+            for (place, weight) in T::all(&PLACES).into_iter().zip(T::all(&WEIGHTS)) {
+                let aside = half * place;
+                sum += weight * (self.width(middle - aside) + self.width(middle + aside));
             }
         }
         sum * radians(half.abs())

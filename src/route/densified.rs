@@ -69,8 +69,8 @@ impl<'a, T: Real> Densified<'a, T> {
 
     /// Whether the geodesic between two of its points is near the straight line.
     fn fits(&self, start: T, ends: [[T; 2]; 2], step: T) -> bool {
-        [0.25, 0.5, 0.75].into_iter().all(|part| {
-            let between = self.point(start + step * T::of(part));
+        [T::of(0.25), T::of(0.5), T::of(0.75)].into_iter().all(|part| {
+            let between = self.point(start + step * part);
             self.beside(ends, between) <= self.tolerance
         })
     }

@@ -111,13 +111,13 @@ impl<T: Real> Iterator for Waypoints<'_, T> {
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let left = self.steps.saturating_sub(self.next);
+        // Never more than MOST and one, which any processor counts.
         let left = if self.done {
-            Some(0)
+            0
         } else {
-            usize::try_from(left).ok().and_then(|left| left.checked_add(1))
+            self.steps.saturating_sub(self.next).saturating_add(1)
         };
-        (left.unwrap_or(usize::MAX), left)
+        (left as usize, Some(left as usize))
     }
 }
 

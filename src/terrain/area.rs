@@ -2,6 +2,7 @@ use super::Tile;
 use super::selection::after;
 use crate::cube::{CubeMap, CubeProjection, FacePoint, ProjectionTask};
 use crate::distortion::Ground;
+use crate::math::Polynomial;
 use crate::{Real, Shift};
 
 impl Tile {
@@ -93,36 +94,37 @@ fn integral<T: Real, P: CubeProjection>(ground: &Ground<T, P>, tile: Tile) -> T 
     total
 }
 
-/// Nodes of Gauss and Legendre on [−1, 1] from the middle to one side, and their weights: eight, four and two
-/// in all.
-const EIGHT: [[f64; 2]; 4] = [
-    [0.183_434_642_495_649_8, 0.362_683_783_378_361_98],
-    [0.525_532_409_916_329, 0.313_706_645_877_887_29],
-    [0.796_666_477_413_626_74, 0.222_381_034_453_374_47],
-    [0.960_289_856_497_536_23, 0.101_228_536_290_376_26],
-];
-const FOUR: [[f64; 2]; 2] = [
-    [0.339_981_043_584_856_26, 0.652_145_154_862_546_1],
-    [0.861_136_311_594_052_6, 0.347_854_845_137_453_9],
-];
-const TWO: [[f64; 2]; 1] = [[0.577_350_269_189_625_8, 1.0]];
+/// Nodes of Gauss and Legendre on [−1, 1] from the middle to one side, each before its weight: eight, four and two
+/// nodes in all.
+const EIGHT: Polynomial<8, 8> = Polynomial::rounded([
+    0.183_434_642_495_649_8, 0.362_683_783_378_361_98, 0.525_532_409_916_329, 0.313_706_645_877_887_29,
+    0.796_666_477_413_626_74, 0.222_381_034_453_374_47, 0.960_289_856_497_536_23, 0.101_228_536_290_376_26,
+]);
+const FOUR: Polynomial<4, 4> = Polynomial::rounded([
+    0.339_981_043_584_856_26, 0.652_145_154_862_546_1, 0.861_136_311_594_052_6, 0.347_854_845_137_453_9,
+]);
+const TWO: Polynomial<2, 2> = Polynomial::rounded([0.577_350_269_189_625_8, 1.0]);
 
 /// Gauss's sum over a tile. A tile with a diagonal of the face, where projections may have creases, is the sum
 /// of two triangles.
 fn sum<T: Real, P: CubeProjection>(ground: &Ground<T, P>, tile: Tile) -> T {
-    let rule: &[[f64; 2]] = match tile.level() {
-        0..=5 => &EIGHT,
-        6..=14 => &FOUR,
-        _ => &TWO,
-    };
+    match tile.level() {
+        0..=5 => by_rule(ground, tile, &T::all(&EIGHT)),
+        6..=14 => by_rule(ground, tile, &T::all(&FOUR)),
+        _ => by_rule(ground, tile, &T::all(&TWO)),
+    }
+}
+
+fn by_rule<T: Real, P: CubeProjection>(ground: &Ground<T, P>, tile: Tile, rule: &[T]) -> T {
     let last = (1 << tile.level()) - 1;
     let (rising, falling) = (tile.i() == tile.j(), tile.i() + tile.j() == last);
     let half = T::of(0.5);
     let nodes = || {
-        let sides = rule
-            .iter()
-            .flat_map(|&[node, weight]| [[-node, weight], [node, weight]]);
-        sides.map(|side| side.map(|number| half * T::of(number)))
+        let halves = rule.chunks_exact(2).filter_map(|pair| match *pair {
+            [node, weight] => Some([half * node, half * weight]),
+            _ => None,
+        });
+        halves.flat_map(|[node, weight]| [[-node, weight], [node, weight]])
     };
     let mut sum = T::ZERO;
     for [s, p] in nodes() {

@@ -131,7 +131,7 @@ fn corner<T: Real>(text: &str, finest: u8) {
     );
     let half: f64 = square.width::<f64>() / 2.0;
     let [a, b]: [f64; 2] = [centre.easting, position.easting].map(Into::into);
-    assert!((a - b - half).abs() <= 0.02_f64.max(1e-9), "{text}");
+    assert!((a - b - half).abs() <= 0.02, "{text}");
 }
 
 /// Every micrometre is its own: the corner of a square, rounded to the scalar, is in the square.

@@ -5,7 +5,7 @@ use crate::geodesic::{GeodesicError, heading, longitude_difference, turns_once};
 use crate::latitude::{UnsupportedFlattening, coefficients, is_short, supported};
 use crate::math::latitude::{CONFORMAL, ORDER, RECTIFYING, RECTIFYING_INVERSE};
 use crate::math::rhumb::AREA;
-use crate::math::{DoubleWord, atan2_degrees, hypot};
+use crate::math::{DoubleWord, Polynomial, atan2_degrees, hypot};
 use crate::{Ellipsoid, LatLon, Real, Shift};
 
 pub use line::RhumbLine;
@@ -99,6 +99,11 @@ pub struct RhumbEnd<T> {
     pub area: T,
 }
 
+/// The mean of the meridian over the mean of the axes, less 1, by powers of n²: the squares of (2k − 3)!!/(2k)!!. The
+/// next term is 1e-17 for the flattest.
+const MEAN: Polynomial<5, 5> =
+    Polynomial::rounded([1.0 / 4.0, 1.0 / 64.0, 1.0 / 256.0, 25.0 / 16384.0, 49.0 / 65536.0]);
+
 impl<T: Real> Rhumb<T> {
     /// Makes the rhumb lines of an ellipsoid.
     ///
@@ -108,8 +113,7 @@ impl<T: Real> Rhumb<T> {
         let ellipsoid = supported(ellipsoid, Shift::Rectifying)?;
         let n = ellipsoid.n();
         let square = n * n;
-        // Of (2k − 3)!!/(2k)!! the squares: the next term is 1e-17 for the flattest.
-        let [c1, c2, c3, c4, c5] = [1.0 / 4.0, 1.0 / 64.0, 1.0 / 256.0, 25.0 / 16384.0, 49.0 / 65536.0].map(T::of);
+        let [c1, c2, c3, c4, c5] = T::all(&MEAN);
         let mean = square * (c1 + square * (c2 + square * (c3 + square * (c4 + square * c5))));
         let half = T::of(0.5) * (ellipsoid.a() + ellipsoid.b());
         Ok(Self {
