@@ -145,7 +145,7 @@ fn utm(zone: Zone, [band, column, row]: [char; 3]) -> Result<(i8, [u8; 2]), Pars
         .ok_or(ParseMgrsError::Column(column))?
         % 8
         + 1;
-    let shift = if number.is_multiple_of(2) { 5 } else { 0 };
+    let shift = if number % 2 == 0 { 5 } else { 0 };
     let cycle = place(LETTERS, row)
         .filter(|&at| at < ROWS)
         .ok_or(ParseMgrsError::Row(row))?;

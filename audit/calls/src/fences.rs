@@ -41,7 +41,7 @@ fn fences<T: Scalar, V: Visitor>(visitor: &mut V, earth: &Karney<T>) {
         );
         (
             Fence::side(&fence, place),
-            Fence::contains(&fence, a),
+            (Fence::contains(&fence, a), Fence::distance(&fence, place)),
             spans,
             EdgeCrossing::<T>::ends(earth, [[a, b], [b, a]].into_iter(), false),
         )
@@ -57,6 +57,7 @@ fn fences<T: Scalar, V: Visitor>(visitor: &mut V, earth: &Karney<T>) {
             Fence::side(&fence, place),
             Fence::distance(&fence, place),
             EdgeDistance::<T>::edge_distance(&sphere, place, a, b),
+            EdgeDistance::<T>::edge_at_least(&sphere, place, a, b),
         )
     });
     let draw = |arguments: &mut Arguments| (ring::<T>(arguments), places::<T>(arguments));

@@ -95,7 +95,7 @@ impl Part {
             index: self.index + 1,
             ..self
         };
-        while next.depth > first.depth && next.index.is_multiple_of(2) {
+        while next.depth > first.depth && next.index % 2 == 0 {
             next.depth -= 1;
             next.index /= 2;
         }
