@@ -111,15 +111,16 @@ impl<T: Real> Iterator for Waypoints<'_, T> {
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        // Never more than MOST and one, which any processor counts.
-        let left = if self.done {
-            0
-        } else {
-            self.steps.saturating_sub(self.next).saturating_add(1)
-        };
-        (left as usize, Some(left as usize))
+        (self.len(), Some(self.len()))
     }
 }
 
-impl<T: Real> ExactSizeIterator for Waypoints<'_, T> {}
+// Not by the default, whose assertion stays where the code is compiled for size.
+impl<T: Real> ExactSizeIterator for Waypoints<'_, T> {
+    fn len(&self) -> usize {
+        // At most MOST and one, which any processor counts.
+        let left = self.steps.saturating_sub(self.next).saturating_add(1);
+        if self.done { 0 } else { left as usize }
+    }
+}
 impl<T: Real> FusedIterator for Waypoints<'_, T> {}

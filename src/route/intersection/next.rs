@@ -2,19 +2,6 @@ use super::{Intersections, Overlap, Spot, apart, moved};
 use crate::Real;
 use crate::geodesic::Line;
 
-/// Where to start, in units of the reach: the squares about these points cover the places where the next
-/// intersection can be.
-const STARTS: [[f64; 2]; 8] = [
-    [-1.0, -1.0],
-    [-1.0, 1.0],
-    [1.0, -1.0],
-    [1.0, 1.0],
-    [-2.0, 0.0],
-    [0.0, 2.0],
-    [2.0, 0.0],
-    [0.0, -2.0],
-];
-
 impl<T: Real> Intersections<T> {
     /// The intersection closest to the common start of two lines, other than that (the paper's section 5).
     pub(super) fn next_spot(&self, one: &Line<T>, other: &Line<T>) -> Spot<T> {
@@ -26,7 +13,13 @@ impl<T: Real> Intersections<T> {
                 closest = Some(spot);
             }
         };
-        let mut left = STARTS.map(|at| Some(at.map(|x| reach * T::of(x))));
+        // The squares about these points cover the places where the next intersection can be.
+        let (zero, twice) = (T::ZERO, reach + reach);
+        let corners = [[-reach, -reach], [-reach, reach], [reach, -reach], [reach, reach]];
+        let sides = [[-twice, zero], [zero, twice], [twice, zero], [zero, -twice]];
+        let [a, b, c, d] = corners.map(Some);
+        let [e, f, g, h] = sides.map(Some);
+        let mut left = [a, b, c, d, e, f, g, h];
         let clear = self.apart + self.apart - reach - self.margin;
         for index in 0..left.len() {
             let Some(start) = left.get_mut(index).and_then(Option::take) else {
