@@ -107,8 +107,8 @@ gold; a heading that is pressed sorts by its column. The areas of a conformal cu
 </section>
 {ranking}{orientation}<section aria-labelledby="bargains">
 <h2 id="bargains">Bargains</h2>
-<p>What is won in the shape of cells is paid in their size. Each point is a projection, and better is down and to the left. The
-three in gold were made for terrella.</p>
+<p>What is won in the shape of cells is paid in their size. Each point is a projection, and better is down and to the left. Those
+in gold were made for terrella.</p>
 <figure class="plot">
 <div class="scroll" role="region" aria-label="Aspect ratio against width × height ratio" tabindex="0">
 {texels}</div>
