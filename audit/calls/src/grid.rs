@@ -214,7 +214,7 @@ fn text<V: Visitor>(visitor: &mut V) {
     let draw = |arguments: &mut Arguments| {
         let mut text = [(); 9].map(|()| b'A' + arguments.below(26) as u8);
         for (place, byte) in text.iter_mut().enumerate() {
-            if place < 2 || place > 4 {
+            if !(2..=4).contains(&place) {
                 *byte = b'0' + arguments.below(10) as u8;
             }
         }
