@@ -53,16 +53,18 @@
 //! | [`healpix::centre`] | [`OnEllipsoid::centre`](crate::healpix::OnEllipsoid::centre) |
 //! | [`route::rhumb_inverse`], [`route::rhumb_area`] | [`Rhumb::inverse`](crate::route::Rhumb::inverse) |
 //! | [`route::rhumb_direct`] | [`Rhumb::direct`](crate::route::Rhumb::direct) |
-//! | [`route::closest`], [`route::tracks`] | [`Legs::closest`](crate::route::Legs::closest), [`track`](crate::route::Legs::track) |
+//! | [`route::closest`] | [`Legs::closest`](crate::route::Legs::closest) |
+//! | [`route::tracks`] | [`Legs::track`](crate::route::Legs::track) |
 //! | [`route::leg_closest`], [`route::leg_tracks`] | the same, of and beside each leg of a path |
-//! | [`route::sides`], [`route::distances`] | [`Fence::side`](crate::route::Fence::side), [`Fence::distance`](crate::route::Fence::distance) |
+//! | [`route::sides`] | [`Fence::side`](crate::route::Fence::side) |
+//! | [`route::distances`] | [`Fence::distance`](crate::route::Fence::distance) |
+//! | [`route::of_segments`] | [`Intersections::of_segments`](crate::route::Intersections::of_segments) |
 //! | [`terrain::containing`] | [`Tile::containing`](crate::terrain::Tile::containing) |
 //! | [`terrain::to_key`], [`terrain::from_key`] | [`Key`](crate::terrain::Key) of a tile, and back |
 //! | [`terrain::places_to_key`], [`terrain::directions_to_key`] | the same, of the tile that contains a place |
 //! | [`terrain::s2_leaf`] | [`Key::s2_leaf_of`](crate::terrain::Key::s2_leaf_of) |
 //! | [`terrain::sample_places`] | [`Tile::node`](crate::terrain::Tile::node), on the ground |
 //! | [`terrain::sample_directions`] | the same, as unit vectors |
-//! | [`route::of_segments`] | [`Intersections::of_segments`](crate::route::Intersections::of_segments) |
 //! | [`scene::inverse`], [`scene::direct`] | [`AnyMethod`](crate::geodesic::AnyMethod) of a scene |
 //! | [`scene::enu`] | [`AnyView::enu`](crate::scene::AnyView::enu) |
 //! | [`scene::to_geodetic`] | [`AnyOrder::to_geodetic`](crate::scene::AnyOrder::to_geodetic) |

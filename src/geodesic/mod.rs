@@ -285,7 +285,7 @@ impl<T: Real> Direct<T> {
 
 /// The ellipsoid, if its flattening is at most 1/60: that far the short series and polynomials of the simpler
 /// methods keep what they claim.
-fn nearly_round<T: Real>(ellipsoid: Ellipsoid<T>) -> Result<Ellipsoid<T>, UnsupportedFlattening<T>> {
+pub(crate) fn nearly_round<T: Real>(ellipsoid: Ellipsoid<T>) -> Result<Ellipsoid<T>, UnsupportedFlattening<T>> {
     // 1/60, and room for its rounding.
     if ellipsoid.f().abs() > T::of(1.0 / 60.0 + 1e-8) {
         return Err(UnsupportedFlattening(ellipsoid.f()));

@@ -45,7 +45,7 @@ impl<T: Real> AzimuthalEquidistant<T> {
     /// the centre get the point of one.
     #[must_use]
     pub fn forward(&self, place: LatLon<T>) -> [T; 2] {
-        let line = self.karney.solve(self.centre, place).inverse;
+        let line = self.karney.way(self.centre, place);
         along(line.azimuth1, line.distance)
     }
 

@@ -1,6 +1,6 @@
 use super::{GridPosition, Hemisphere, OutsideGrid, PointScale, PolarStereographic, Zone};
-use crate::latitude::UnsupportedFlattening;
-use crate::{Ellipsoid, LatLon, Real};
+use crate::latitude::{UnsupportedFlattening, supported};
+use crate::{Ellipsoid, LatLon, Real, Shift};
 
 /// Universal Polar Stereographic: the grid of the polar regions, from 84° N and from 80° S to the poles.
 ///
@@ -34,10 +34,9 @@ impl<T: Real> Ups<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if the third flattening is outside of ±1/19.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        // The scale is valid.
-        PolarStereographic::new(ellipsoid, T::of(0.994))
-            .map(|map| Self { map })
-            .map_err(|_| UnsupportedFlattening(ellipsoid.f()))
+        let ellipsoid = supported(ellipsoid, Shift::Conformal)?;
+        let map = PolarStereographic::within(ellipsoid, T::of(0.994));
+        Ok(Self { map })
     }
 
     /// Returns the ellipsoid.

@@ -1,5 +1,6 @@
 use super::zone::band;
 use super::{GridPosition, Hemisphere, OutsideGrid, PointScale, TransverseMercator, Zone};
+use crate::geodesic::nearly_round;
 use crate::latitude::UnsupportedFlattening;
 use crate::{Ellipsoid, LatLon, Real};
 
@@ -44,10 +45,8 @@ impl<T: Real> Utm<T> {
     /// # Errors
     /// [`UnsupportedFlattening`] if |f| > 1/60.
     pub fn new(ellipsoid: Ellipsoid<T>) -> Result<Self, UnsupportedFlattening<T>> {
-        // The scale and the meridian are valid.
-        TransverseMercator::new(ellipsoid, T::of(0.9996), T::ZERO)
-            .map(|map| Self { map })
-            .map_err(|_| UnsupportedFlattening(ellipsoid.f()))
+        let map = TransverseMercator::within(nearly_round(ellipsoid)?, T::of(0.9996), T::ZERO);
+        Ok(Self { map })
     }
 
     /// Returns the ellipsoid.

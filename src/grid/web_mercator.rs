@@ -23,6 +23,7 @@
 use core::fmt;
 use core::str::FromStr;
 
+use super::OutsideMap;
 use super::halves::{eastern, part};
 use crate::math::{gudermannian, inverse_gudermannian, sin_cos_degrees};
 use crate::{LatLon, Real};
@@ -54,11 +55,11 @@ pub fn to_plane<T: Real>(place: LatLon<T>) -> [T; 2] {
 /// The worst error is 3·10⁻⁹ m on the ground (`f32`: 1.5 m).
 ///
 /// # Errors
-/// [`OutsidePlane`] if x is infinite or NaN, or y NaN.
-pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsidePlane<T>> {
+/// [`OutsideMap`] if x is infinite or NaN, or y NaN.
+pub fn from_plane<T: Real>([x, y]: [T; 2]) -> Result<LatLon<T>, OutsideMap<T>> {
     let degrees = T::of(180.0 / core::f64::consts::PI);
     let lat = gudermannian(y / T::of(RADIUS)) * degrees;
-    LatLon::new(lat, x / T::of(RADIUS) * degrees).map_err(|_| OutsidePlane { x, y })
+    LatLon::new(lat, x / T::of(RADIUS) * degrees).map_err(|_| OutsideMap { x, y })
 }
 
 /// ψ of a latitude in degrees, on the sphere.
@@ -346,21 +347,3 @@ impl<T: fmt::Debug> fmt::Display for BeyondTiles<T> {
 }
 
 impl<T: fmt::Debug> core::error::Error for BeyondTiles<T> {}
-
-/// The error for numbers that are no point of the plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct OutsidePlane<T> {
-    /// x as given.
-    pub x: T,
-    /// y as given.
-    pub y: T,
-}
-
-impl<T: fmt::Debug> fmt::Display for OutsidePlane<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "x {:?} and y {:?} are no point of the plane", self.x, self.y)
-    }
-}
-
-impl<T: fmt::Debug> core::error::Error for OutsidePlane<T> {}

@@ -141,7 +141,8 @@ impl From<Shift> for Latitude {
 /// | geodetic latitude | any f |
 /// | geocentric and parametric latitudes | −1 ≤ f ≤ ½ |
 /// | authalic, conformal, rectifying and isometric latitudes | −1/9 ≤ f ≤ 1/10 |
-/// | [`Karney`](crate::geodesic::Karney), [`Area`](crate::geodesic::Area), [`Rhumb`](crate::route::Rhumb) | −1/9 ≤ f ≤ 1/10 |
+/// | [`Karney`](crate::geodesic::Karney) and [`Area`](crate::geodesic::Area) | −1/9 ≤ f ≤ 1/10 |
+/// | [`Rhumb`](crate::route::Rhumb) | −1/9 ≤ f ≤ 1/10 |
 /// | [`Vincenty`](crate::geodesic::Vincenty) | 0 ≤ f ≤ 1/293 |
 /// | the other methods on the ellipsoid; transverse Mercator, UTM and UPS | −1/60 ≤ f ≤ 1/60 |
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -13,8 +13,8 @@ closed forms of both latitudes by a discrete sine transform with 40 points and 6
 Needs mpmath only.
 """
 
-import struct
 from mpmath import mp, mpf, mpc, pi, sqrt, sin, cos, tan, atan, asinh, atanh, sinh, ellipe
+from latitude import literal, powers
 
 mp.dps = 60
 ORDER = {"f64": 8, "f32": 4}
@@ -71,29 +71,10 @@ def sine_coefficients(n):
 def chebyshev(values, degree, limit, nodes):
     """The polynomial of a degree through values at Chebyshev nodes of ±limit, by powers."""
     count = len(nodes)
-    cheb = [
+    return powers([
         sum(v * cos(pi * j * (2 * i + 1) / (2 * count)) for i, v in enumerate(values)) * (1 if j == 0 else 2) / count
         for j in range(degree + 1)
-    ]
-    total = [mpf(0)] * len(cheb)
-    t0, t1 = [mpf(1)], [mpf(0), 1 / limit]
-    for c in cheb:
-        for k, v in enumerate(t0):
-            total[k] += c * v
-        t2 = [mpf(0)] + [2 / limit * v for v in t1]
-        for k, v in enumerate(t0):
-            t2[k] -= v
-        t0, t1 = t1, t2
-    return total
-
-
-def literal(value, scalar):
-    if abs(value) < mpf(10) ** -20:
-        return "0.0"
-    if scalar == "f64":
-        return repr(float(value))
-    single = struct.unpack("f", struct.pack("f", float(value)))[0]
-    return next(t for t in (f"{single:.{d}e}" for d in range(5, 10)) if struct.unpack("f", struct.pack("f", float(t)))[0] == single)
+    ], limit)
 
 
 def table(name, words, columns):

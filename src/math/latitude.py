@@ -121,14 +121,15 @@ def main():
         print("};\n")
 
 
-def powers(cheb):
-    """Chebyshev coefficients in n / LIMIT to powers of n."""
+def powers(cheb, limit=None):
+    """Chebyshev coefficients in n / limit, LIMIT if none is given, to powers of n."""
+    limit = limit or LIMIT
     total = [mpf(0)] * len(cheb)
-    t0, t1 = [mpf(1)], [mpf(0), 1 / LIMIT]
+    t0, t1 = [mpf(1)], [mpf(0), 1 / limit]
     for c in cheb:
         for k, v in enumerate(t0):
             total[k] += c * v
-        t2 = [mpf(0)] + [2 / LIMIT * v for v in t1]
+        t2 = [mpf(0)] + [2 / limit * v for v in t1]
         for k, v in enumerate(t0):
             t2[k] -= v
         t0, t1 = t1, t2

@@ -1,6 +1,6 @@
 use core::fmt;
 
-use crate::geodesic::{Direct, Geodesic, GeodesicError, Inverse, Karney, wrapped};
+use crate::geodesic::{Direct, Geodesic, GeodesicError, Karney, wrapped};
 use crate::math::{Polynomial, max, min, sin_cos_degrees};
 use crate::{LatLon, Real};
 
@@ -116,16 +116,6 @@ pub(super) fn reached<T: Real>(karney: &Karney<T>, from: LatLon<T>, azimuth: T, 
     karney.direct(from, azimuth, distance).unwrap_or_else(nowhere)
 }
 
-/// The way between two places.
-pub(super) fn way<T: Real>(karney: &Karney<T>, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
-    let none = |_: GeodesicError<T>| Inverse {
-        distance: T::ZERO,
-        azimuth1: T::ZERO,
-        azimuth2: T::ZERO,
-    };
-    karney.inverse(from, to).unwrap_or_else(none)
-}
-
 impl<'a, T: Real> Arc<'a, T> {
     /// Makes the arc about a centre that starts at an azimuth from the centre and goes round by a sweep:
     /// clockwise by positive degrees, counter-clockwise by negative ones.
@@ -174,7 +164,7 @@ impl<'a, T: Real> Arc<'a, T> {
         end: LatLon<T>,
         turn: Turn,
     ) -> Result<Self, InvalidArc<T>> {
-        let (from, to) = (way(karney, centre, start).azimuth1, way(karney, centre, end).azimuth1);
+        let (from, to) = (karney.way(centre, start).azimuth1, karney.way(centre, end).azimuth1);
         let sweep = match turn {
             Turn::Right => forward(to - from),
             Turn::Left => -forward(from - to),
@@ -323,7 +313,7 @@ impl<'a, T: Real> Arc<'a, T> {
     /// Returns whether a place is abeam of the arc: whether the ray from the centre to it crosses the arc.
     #[must_use]
     pub fn abeam(&self, place: LatLon<T>) -> bool {
-        self.spans(way(self.karney, self.centre, place).azimuth1)
+        self.spans(self.karney.way(self.centre, place).azimuth1)
     }
 
     fn spans(&self, azimuth: T) -> bool {
@@ -335,11 +325,11 @@ impl<'a, T: Real> Arc<'a, T> {
     /// nearer end.
     #[must_use]
     pub fn distance(&self, place: LatLon<T>) -> T {
-        let from = way(self.karney, self.centre, place);
+        let from = self.karney.way(self.centre, place);
         if self.spans(from.azimuth1) {
             return (from.distance - self.radius).abs();
         }
-        let to = |end| way(self.karney, place, end).distance;
+        let to = |end| self.karney.way(place, end).distance;
         min(to(self.start()), to(self.end()))
     }
 
@@ -347,7 +337,7 @@ impl<'a, T: Real> Arc<'a, T> {
     /// negative to the left.
     #[must_use]
     pub fn cross_track(&self, place: LatLon<T>) -> T {
-        let inward = self.radius - way(self.karney, self.centre, place).distance;
+        let inward = self.radius - self.karney.way(self.centre, place).distance;
         inward * T::ONE.copysign(self.sweep)
     }
 

@@ -1,4 +1,4 @@
-use super::arc::{InvalidArc, chords, reached, way};
+use super::arc::{InvalidArc, chords, reached};
 use crate::geodesic::{Karney, wrapped};
 use crate::math::{max, min, sin_cos_degrees};
 use crate::{LatLon, Real};
@@ -136,7 +136,7 @@ impl<'a, T: Real> Corridor<'a, T> {
             let back = (2 * last).checked_sub(number)?;
             (place(back)?, place(back.checked_sub(1)?)?)
         };
-        let way = way(self.karney, from, to);
+        let way = self.karney.way(from, to);
         (way.distance > T::ZERO).then_some(Leg {
             from,
             to,

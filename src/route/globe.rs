@@ -260,24 +260,19 @@ impl<T: Real> EdgeCrossing<T> for GreatCircle<T> {
     }
 }
 
-/// The distance is that of [`Legs::closest`].
-impl<T: Real> EdgeDistance<T> for Karney<T> {
-    fn edge_distance(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
-        self.closest(place, from, to).distance
-    }
+macro_rules! by_legs {
+    ($($surface:ident)*) => {$(
+        /// The distance is that of [`Legs::closest`].
+        impl<T: Real> EdgeDistance<T> for $surface<T> {
+            fn edge_distance(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
+                self.closest(place, from, to).distance
+            }
 
-    fn edge_at_least(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
-        self.at_least(place, from, to)
-    }
+            fn edge_at_least(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
+                self.at_least(place, from, to)
+            }
+        }
+    )*};
 }
 
-/// The distance is that of [`Legs::closest`].
-impl<T: Real> EdgeDistance<T> for GreatCircle<T> {
-    fn edge_distance(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
-        self.closest(place, from, to).distance
-    }
-
-    fn edge_at_least(&self, place: LatLon<T>, from: LatLon<T>, to: LatLon<T>) -> T {
-        self.at_least(place, from, to)
-    }
-}
+by_legs!(Karney GreatCircle);

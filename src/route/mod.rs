@@ -65,7 +65,6 @@ pub use edge::{Crossing, EdgeCrossing, EdgeDistance};
 pub use fence::Fence;
 pub use intersection::{Intersection, Intersections, IntersectionsWithin, Overlap};
 pub use legs::Legs;
-pub use on_ellipsoid::EllipsoidLeg;
 pub use on_plane::{PlaneLeg, TangentPlane};
 pub use on_sphere::SphereLeg;
 pub use planar::Planar;

@@ -1,20 +1,10 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::bound::at_least;
-use super::{Closest, Legs, Reach, Track};
-use crate::geodesic::{GreatCircle, Inverse, Karney, Line};
+use super::{Closest, Legs, Reach, Segment, Track};
+use crate::geodesic::{GreatCircle, Karney};
 use crate::math::{atan2, max, min, sin_cos_degrees};
 use crate::{LatLon, Real};
-
-/// A geodesic between two places, from [`Legs::leg`] of [`Karney`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EllipsoidLeg<T> {
-    start: LatLon<T>,
-    end: LatLon<T>,
-    way: Inverse<T>,
-    line: Line<T>,
-}
 
 /// Steps of Newton's kind before the bracket is halved instead, and steps of both kinds: from a circuit to a
 /// ten millionth of a radius in f64.
@@ -56,7 +46,7 @@ struct Stretch<T> {
 /// A line and a place.
 struct Search<'a, T> {
     karney: &'a Karney<T>,
-    leg: &'a EllipsoidLeg<T>,
+    leg: &'a Segment<T>,
     place: LatLon<T>,
     /// A radius of the sphere that steps are computed on.
     radius: T,
@@ -67,7 +57,7 @@ struct Search<'a, T> {
 }
 
 impl<'a, T: Real> Search<'a, T> {
-    fn new(karney: &'a Karney<T>, leg: &'a EllipsoidLeg<T>, place: LatLon<T>) -> Self {
+    fn new(karney: &'a Karney<T>, leg: &'a Segment<T>, place: LatLon<T>) -> Self {
         let ellipsoid = karney.ellipsoid();
         let (a, b) = (ellipsoid.a(), ellipsoid.b());
         // 1/√K is b at the equator and a²/b at the poles. Within (π/2)/√K of a place, K the largest, its
@@ -87,15 +77,14 @@ impl<'a, T: Real> Search<'a, T> {
 
     /// At a distance along the line.
     fn sight(&self, along: T) -> Sight<T> {
-        let EllipsoidLeg { start, end, way, line } = self.leg;
+        let ([start, end], way) = (self.leg.ends(), self.leg.way());
         let (position, azimuth) = if along == T::ZERO {
-            (*start, way.azimuth1)
+            (start, way.azimuth1)
         } else if along == way.distance {
-            (*end, way.azimuth2)
+            (end, way.azimuth2)
         } else {
-            // Refused is no distance of less than thousands of circuits.
-            line.at(along)
-                .map_or((*start, way.azimuth1), |point| (point.position, point.azimuth))
+            let point = self.leg.line().near(along);
+            (point.position, point.azimuth)
         };
         let solution = self.karney.solve(self.place, position);
         let (sin, cos) = sin_cos_degrees(azimuth - solution.inverse.azimuth2);
@@ -269,26 +258,20 @@ impl<'a, T: Real> Search<'a, T> {
 /// ellipsoid*, Stud. Geophys. Geod. 62 (2018); C. F. F. Karney, *Geodesic intersections* (2023), arXiv
 /// 2308.00495, on their steps.
 impl<T: Real> Legs<T> for Karney<T> {
-    type Leg = EllipsoidLeg<T>;
+    type Leg = Segment<T>;
 
-    fn leg(&self, start: LatLon<T>, end: LatLon<T>) -> EllipsoidLeg<T> {
-        let way = self.way(start, end);
-        EllipsoidLeg {
-            start,
-            end,
-            way,
-            line: self.line_along(start, way.azimuth1),
-        }
+    fn leg(&self, start: LatLon<T>, end: LatLon<T>) -> Segment<T> {
+        Segment::new(self, start, end)
     }
 
-    fn length(&self, leg: &EllipsoidLeg<T>) -> T {
-        leg.way.distance
+    fn length(&self, leg: &Segment<T>) -> T {
+        leg.length()
     }
 
-    fn closest_on(&self, leg: &EllipsoidLeg<T>, place: LatLon<T>) -> Closest<T> {
-        let length = leg.way.distance;
+    fn closest_on(&self, leg: &Segment<T>, place: LatLon<T>) -> Closest<T> {
+        let ([start, end], length) = (leg.ends(), leg.length());
         let sphere = GreatCircle::mean(self.ellipsoid());
-        let [along, _] = sphere.tracks_beside(place, leg.start, leg.way.azimuth1);
+        let [along, _] = sphere.tracks_beside(place, start, leg.way().azimuth1);
         let near = max(min(along, length), T::ZERO);
         let stretch = Stretch {
             from: T::ZERO,
@@ -304,7 +287,7 @@ impl<T: Real> Legs<T> for Karney<T> {
             Reach::Within
         };
         let position = match reach {
-            Reach::PastEnd => leg.end,
+            Reach::PastEnd => end,
             _ => found.position,
         };
         Closest {
@@ -315,9 +298,10 @@ impl<T: Real> Legs<T> for Karney<T> {
         }
     }
 
-    fn track_beside(&self, leg: &EllipsoidLeg<T>, place: LatLon<T>) -> Track<T> {
+    fn track_beside(&self, leg: &Segment<T>, place: LatLon<T>) -> Track<T> {
         let sphere = GreatCircle::mean(self.ellipsoid());
-        let [near, _] = sphere.tracks_beside(place, leg.start, leg.way.azimuth1);
+        let [start, _] = leg.ends();
+        let [near, _] = sphere.tracks_beside(place, start, leg.way().azimuth1);
         let half = T::of(PI) * self.ellipsoid().mean_radius();
         let within = |half: T| Stretch { from: -half, to: half };
         let found = Search::new(self, leg, place).closest(near, within(half), within(half * T::of(1.25)));

@@ -41,20 +41,13 @@ fn nearer<T: Real, S: Legs<T> + ?Sized>(
     leg: usize,
     best: Option<OnPath<T>>,
 ) -> Option<OnPath<T>> {
-    let here = |least: T| {
-        let beyond = best.is_some_and(|best| least >= best.closest.distance);
-        if beyond {
-            return best;
-        }
-        let closest = surface.closest(place, start, end);
-        match best {
-            Some(before) if before.closest.distance <= closest.distance => best,
-            _ => Some(OnPath { leg, closest }),
-        }
-    };
-    if best.is_some() {
-        here(surface.at_least(place, start, end))
-    } else {
-        here(T::ZERO)
+    let farther = |before: OnPath<T>| surface.at_least(place, start, end) >= before.closest.distance;
+    if best.is_some_and(farther) {
+        return best;
+    }
+    let closest = surface.closest(place, start, end);
+    match best {
+        Some(before) if before.closest.distance <= closest.distance => best,
+        _ => Some(OnPath { leg, closest }),
     }
 }

@@ -1,5 +1,5 @@
 use super::{Densified, InvalidStep, Waypoints};
-use crate::geodesic::{GeodesicError, Karney, Line, LinePoint, Passage};
+use crate::geodesic::{GeodesicError, Inverse, Karney, Line, LinePoint, Passage};
 use crate::{Ellipsoid, InvalidLatLon, LatLon, Real};
 
 /// The shortest line between two places of an ellipsoid, with its length: that of
@@ -27,7 +27,7 @@ use crate::{Ellipsoid, InvalidLatLon, LatLon, Real};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Segment<T> {
     line: Line<T>,
-    length: T,
+    way: Inverse<T>,
     from: LatLon<T>,
     to: LatLon<T>,
     ellipsoid: Ellipsoid<T>,
@@ -37,10 +37,10 @@ impl<T: Real> Segment<T> {
     /// Makes the segment from one place to another.
     #[must_use]
     pub fn new(karney: &Karney<T>, from: LatLon<T>, to: LatLon<T>) -> Self {
-        let (line, length) = karney.line_between(from, to);
+        let (line, way) = karney.line_between(from, to);
         Self {
             line,
-            length,
+            way,
             from,
             to,
             ellipsoid: karney.ellipsoid(),
@@ -56,13 +56,18 @@ impl<T: Real> Segment<T> {
     /// Returns the length in metres.
     #[must_use]
     pub fn length(&self) -> T {
-        self.length
+        self.way.distance
     }
 
     /// Returns the two places.
     #[must_use]
     pub fn ends(&self) -> [LatLon<T>; 2] {
         [self.from, self.to]
+    }
+
+    /// Its length, and the azimuths at its ends.
+    pub(super) fn way(&self) -> Inverse<T> {
+        self.way
     }
 
     pub(super) fn ellipsoid(&self) -> Ellipsoid<T> {
@@ -90,14 +95,14 @@ impl<T: Real> Segment<T> {
         if !fraction.is_finite() {
             return Err(GeodesicError::Fraction(fraction));
         }
-        let point = self.line.at(self.length * fraction)?;
+        let point = self.line.at(self.length() * fraction)?;
         Ok(if fraction == T::ONE { self.ending(point) } else { point })
     }
 
     /// Returns the point halfway.
     #[must_use]
     pub fn midpoint(&self) -> LinePoint<T> {
-        self.point(self.length * T::of(0.5))
+        self.point(self.length() * T::of(0.5))
     }
 
     /// Returns points every so many metres from the first place on, and the second place at the end.
@@ -201,15 +206,15 @@ impl<T: Real> Segment<T> {
     }
 
     fn up_to_end(&self, met: Option<Passage<T>>) -> Option<Passage<T>> {
-        met.filter(|met| met.distance <= self.length)
+        met.filter(|met| met.distance <= self.length())
     }
 
     fn extreme(&self, vertex: Passage<T>, beyond: impl Fn(T, T) -> bool) -> Passage<T> {
-        if vertex.distance <= self.length {
+        if vertex.distance <= self.length() {
             return vertex;
         }
         let second = beyond(self.to.lat(), self.from.lat());
-        self.passage(if second { self.length } else { T::ZERO })
+        self.passage(if second { self.length() } else { T::ZERO })
     }
 
     /// The point at a distance from 0 to the length; the ends are the places themselves.
@@ -222,7 +227,7 @@ impl<T: Real> Segment<T> {
 
     fn point(&self, distance: T) -> LinePoint<T> {
         let point = self.line.near(distance);
-        if distance == self.length {
+        if distance == self.length() {
             return self.ending(point);
         }
         if distance == T::ZERO {

@@ -15,8 +15,7 @@ impl Tile {
     /// tiles are as exact as large ones.
     ///
     /// The worst relative error is 1e-13 (`f64`) or 2e-6 (`f32`), against areas of 25 digits. The tiles at the
-    /// corners of the conformal cube are an exception, where the scale vanishes: 1e-11 to level 8, and 1e-16
-    /// (`f64`) times 2^level beyond.
+    /// corners of the conformal cube are an exception: the scale vanishes there, and no figure is claimed.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, Quadrilateralized, S2Quadratic};

@@ -98,8 +98,7 @@
 //! With [`Vertex`](crate::cube::Vertex), [`Quadrilateralized`](crate::cube::Quadrilateralized) or another
 //! equal-area projection, and with the authalic shift, the tiles are a discrete global grid whose cells have
 //! equal areas: on WGS 84 every cell of level L has 85 010 936 954 015 m² · 4^−L. Integrals of the map's scale
-//! over single cells agree with that to 1e-12. Cells of one level of A5 differ in area by 4e-3, those of S2 by
-//! a factor of 2.1, and those of H3 by 2.4.
+//! over single cells agree with that to 1e-12. Cells of one level of S2 differ in area by a factor of 2.1.
 //!
 //! A cell has four children that fill it exactly, and a [`Key`] that sorts like a curve through space. So a
 //! table of counts by key is a histogram of densities, and counts of coarser cells are sums.

@@ -62,15 +62,10 @@ impl Tile {
         Ring::new(self, 0, steps)
     }
 
-    /// The column or row of the last tile of a face at this level.
-    const fn end(self) -> u32 {
-        (1 << self.level) - 1
-    }
-
     /// How many tiles are between this one and an edge of the face, and how many come before it along that
     /// edge, counter-clockwise.
     const fn seen_from(self, edge: Edge) -> [u32; 2] {
-        let (i, j, end) = (self.i, self.j, self.end());
+        let (i, j, end) = (self.i, self.j, self.last());
         match edge {
             Edge::Right => [end - i, j],
             Edge::Up => [end - j, end - i],
@@ -82,7 +77,7 @@ impl Tile {
     /// The tile beyond an edge of this tile's face, so many places along it, counter-clockwise, and away from
     /// it.
     fn across(self, edge: Edge, [along, away]: [u32; 2]) -> Self {
-        let end = self.end();
+        let end = self.last();
         let (i, j) = match edge {
             Edge::Right => (end, along),
             Edge::Up => (end - along, end),
@@ -107,8 +102,8 @@ impl Ring {
         if farthest > 1 << level {
             return Err(InvalidSteps { level, steps: farthest });
         }
-        let along = about(tile.i, farthest, tile.end());
-        let away = about(tile.j, farthest, tile.end());
+        let along = about(tile.i, farthest, tile.last());
+        let away = about(tile.j, farthest, tile.last());
         let ([column, _], [row, _]) = (along, away);
         Ok(Self {
             tile,
@@ -142,7 +137,7 @@ impl Ring {
         };
         self.next = None;
         if let Some(&edge) = Edge::ALL.iter().skip(following).find(near) {
-            let ([_, before], end) = (self.tile.seen_from(edge), self.tile.end());
+            let ([_, before], end) = (self.tile.seen_from(edge), self.tile.last());
             self.across = Some(edge);
             self.along = about(before, self.farthest, end);
             self.away = [0, if self.farthest > end { end } else { self.farthest - 1 }];
@@ -157,7 +152,7 @@ impl Ring {
         let Some(edge) = self.across else {
             return along.abs_diff(self.tile.i).max(away.abs_diff(self.tile.j));
         };
-        let ([between, before], end) = (self.tile.seen_from(edge), self.tile.end());
+        let ([between, before], end) = (self.tile.seen_from(edge), self.tile.last());
         let direct = along.abs_diff(before).max(between + 1 + away);
         let start = (before + 1 + away).max(between + 1 + along);
         let other = (end - before + 1 + away).max(between + 1 + (end - along));

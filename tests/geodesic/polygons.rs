@@ -477,7 +477,7 @@ fn areas_of_either_side() {
             theirs(Winding::Clockwise, false),
         ];
         for (found, right) in found.into_iter().zip(right) {
-            assert!((found - right).abs() < 1e5, "{corners:?} {found} {right}");
+            assert!((found - right).abs() < 2.0, "{corners:?} {found} {right}");
         }
     }
     let mut half = area.polygon();

@@ -139,6 +139,43 @@ fn hard_places_have_points() {
     assert_eq!(TransverseMercator::new(Ellipsoid::WGS84, 0.9996, 537.0).unwrap(), east);
 }
 
+/// GeographicLib's `TransverseMercatorProj -t -e 6378137 0.0166015625 -k 1 -l 0 -p 10`, whose series is exact: next to the
+/// flattest that is taken, and to 45°.
+#[test]
+fn flat_ellipsoids_to_45_degrees() {
+    fn worst<T: Scalar>() -> f64 {
+        let flat = Ellipsoid::new(T::of(6_378_137.0), T::of(0.0166015625)).unwrap();
+        let map = TransverseMercator::new(flat, T::ONE, T::ZERO).unwrap();
+        Worst::of(
+            [
+                [
+                    -0.9718502163887024, -44.891021728515625, -5632336.5527720442, -150256.0856982162,
+                ],
+                [
+                    -2.6243908405303955, -44.92381286621094, -5629295.1163287805, -405737.4058069029,
+                ],
+                [
+                    -2.1109983921051025, -44.918914794921875, -5631899.3730401723, -326422.3966549188,
+                ],
+                [
+                    -18.19786834716797, 30.77721405029297, 3396707.9353149426, -2269952.1991050043,
+                ],
+                [
+                    82.12632751464844, -13.73795223236084, -211006.5441675505, 9069943.5853011273,
+                ],
+            ]
+            .map(|[lat, lon, x, y]: [f64; 4]| {
+                let [a, b] = map
+                    .forward(LatLon::new(T::of(lat), T::of(lon)).unwrap())
+                    .map(Into::into);
+                (a - x).hypot(b - y)
+            }),
+        )
+    }
+    let (double, single) = (worst::<f64>(), worst::<f32>());
+    assert!(double < 1e-5 && single < 2.2, "{double:e} {single}");
+}
+
 #[test]
 fn constructors_refuse() {
     let flat = Ellipsoid::new(1.0, 0.02).unwrap();

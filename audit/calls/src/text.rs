@@ -1,5 +1,5 @@
 use terrella::LatLon;
-use terrella::grid::web_mercator::{BeyondTiles, InvalidTile, OutsidePlane, Tile};
+use terrella::grid::web_mercator::{BeyondTiles, InvalidTile, Tile};
 use terrella::grid::{self, Geohash, InvalidGeohash, InvalidPlusCode, PlusCode};
 
 use crate::{Arguments, Bits, Hash, Scalar, Visitor};
@@ -90,12 +90,6 @@ impl Bits for InvalidTile {
 impl<T: Scalar> Bits for BeyondTiles<T> {
     fn add_to(&self, hash: &mut Hash) {
         self.0.add_to(hash);
-    }
-}
-
-impl<T: Scalar> Bits for OutsidePlane<T> {
-    fn add_to(&self, hash: &mut Hash) {
-        [self.x, self.y].add_to(hash);
     }
 }
 

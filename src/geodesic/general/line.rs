@@ -178,25 +178,6 @@ impl<T: Real> Line<T> {
         Ok(self.reach(tau12, true, |row, sigma| integrals.sines(row, sigma)))
     }
 
-    /// The degrees of longitude that the line turns through on the way to a place, with whole circles, to 2°.
-    /// Over a pole it is 180, with the sign of the azimuth.
-    pub(in crate::geodesic) fn turn(&self, place: &Place<T>) -> T {
-        let east = T::ONE.copysign(self.alpha0.sin);
-        let sigma2 = place.sigma2;
-        let omega2 = Angle {
-            sin: self.alpha0.sin * sigma2.sin * east,
-            cos: sigma2.cos,
-        };
-        let omega1 = Angle {
-            sin: self.omega1.sin * east,
-            ..self.omega1
-        };
-        let arc = place.point.arc * T::of(PI / 180.0);
-        // σ and ω go round together.
-        let beyond = (omega2.to_radians() - sigma2.to_radians()) - (omega1.to_radians() - self.sigma1.to_radians());
-        (east * (arc + beyond) + self.a3 * arc) * T::of(180.0 / PI)
-    }
-
     /// The point of [`Self::at`] without a branch, and whether it is that, bit for bit: not on ellipsoids far
     /// flatter than the Earth, nor after some fifty circuits of it.
     #[inline(always)]

@@ -180,8 +180,8 @@ impl<T: Real> Area<T> {
         let line = self.karney.line(from, azimuth)?;
         let place = line.place(distance)?;
         let to = place.point.position;
-        // Whole circles, counted from the longitude that the place has.
-        let circles = (from.lon() + line.turn(&place) - to.lon()) / T::of(360.0);
+        let [_, lon] = line.unrolled_to(&place);
+        let circles = (lon - to.lon()) / T::of(360.0);
         let odd = circles.round_ties_even().remainder(T::of(2.0)) != T::ZERO;
         let edge = Edge {
             length: distance,

@@ -180,11 +180,6 @@ impl<T: Real> Karney<T> {
         Line::new(&self.general, from, azimuth)
     }
 
-    /// The line at an azimuth that is known to be finite.
-    pub(crate) fn line_along(&self, from: LatLon<T>, azimuth: T) -> Line<T> {
-        Line::along(&self.general, from, azimuth)
-    }
-
     /// The line of [`Geodesic::inverse`], which never fails.
     #[inline]
     pub(crate) fn way(&self, from: LatLon<T>, to: LatLon<T>) -> Inverse<T> {
@@ -196,10 +191,10 @@ impl<T: Real> Karney<T> {
         self.general.inverse(from, to).0
     }
 
-    /// The line of [`Geodesic::inverse`], and its length.
-    pub(crate) fn line_between(&self, from: LatLon<T>, to: LatLon<T>) -> (Line<T>, T) {
+    /// The line of [`Geodesic::inverse`], also for many points.
+    pub(crate) fn line_between(&self, from: LatLon<T>, to: LatLon<T>) -> (Line<T>, Inverse<T>) {
         let way = self.way(from, to);
-        (Line::along(&self.general, from, way.azimuth1), way.distance)
+        (Line::along(&self.general, from, way.azimuth1), way)
     }
 }
 

@@ -100,7 +100,9 @@ impl<'a, T: Real> PolygonArea<'a, T> {
     /// use terrella::{Ellipsoid, LatLon};
     /// let area = Area::new(Ellipsoid::WGS84)?;
     /// let mut polygon = area.polygon();
-    /// for ring in [[(0.0, 0.0), (0.0, 3.0), (3.0, 3.0), (3.0, 0.0)], [(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)]] {
+    /// let outer = [(0.0, 0.0), (0.0, 3.0), (3.0, 3.0), (3.0, 0.0)];
+    /// let hole = [(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)];
+    /// for ring in [outer, hole] {
     ///     for (lat, lon) in ring {
     ///         polygon.add(LatLon::new(lat, lon)?);
     ///     }

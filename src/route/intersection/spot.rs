@@ -1,5 +1,6 @@
 use super::Overlap;
 use crate::Real;
+use crate::math::{max, min};
 
 /// A point of the plane of displacements.
 #[derive(Clone, Copy)]
@@ -56,8 +57,8 @@ impl<T: Real> Spot<T> {
             Overlap::Parallel => (-y, length2 - y),
             Overlap::Antiparallel => (y - length2, y),
         };
-        let low = crate::math::max(low1, low2);
-        let high = crate::math::min(high1, high2);
+        let low = max(low1, low2);
+        let high = min(high1, high2);
         self.along(sign, (low + high) * T::of(0.5))
     }
 

@@ -210,14 +210,7 @@ pub(super) fn relation<T: Real, P: CubeProjection, const N: usize>(
     [inside, outside]: [&[LatLon<T>]; 2],
 ) -> Relation {
     let found = search(map.projection(), tile, margin);
-    let holds = |place: LatLon<T>| {
-        let point = map.project(place);
-        point.face() == tile.face()
-            && [
-                Tile::index(point.x(), tile.level()),
-                Tile::index(point.y(), tile.level()),
-            ] == [tile.i(), tile.j()]
-    };
+    let holds = |place: LatLon<T>| Tile::containing(map.project(place), tile.level()) == Ok(tile);
     let is_outside = |place: LatLon<T>| {
         let numbers = margin.numbers(map.shifted().to_direction(place));
         let inside = margin.depth(numbers) >= -margin.rounding();

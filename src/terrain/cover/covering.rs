@@ -10,7 +10,8 @@ use crate::terrain::selection::after;
 ///
 /// It goes through the quadtree from the faces down, face by face and quarter by quarter, and divides the
 /// tiles that meet the region. An outer covering has every tile of a level that has a place in common with the
-/// region; an [`inner`](Self::inner) one has those that are inside. How exact that is, the region says.
+/// region; an [`inner`](Self::inner) one has those that are inside. How exact that is, the region says; it rests
+/// on how smooth edges of tiles are, for which a search over every projection found the bound, not a proof.
 ///
 /// ```
 /// use terrella::cube::{CubeMap, Vertex};

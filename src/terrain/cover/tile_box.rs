@@ -10,8 +10,9 @@ impl<T: Real> LatLonBox<T> {
     ///
     /// The latitudes are geodetic and in [−90, 90]. A tile that holds a pole inside has all longitudes, −180
     /// to 180; one with a pole at a corner has those of its edges. If the tile crosses ±180°, the eastern
-    /// longitude is below the western one. Latitudes are at most 1e-13° (`f64`) or 6e-5° (`f32`) outside the
-    /// true ones, and longitudes by that divided by the cosine of the latitude.
+    /// longitude is below the western one. In `f64` a place of the tile is within 3e-13° of arc of each
+    /// parallel, and within 1e-12° of each meridian; in `f32` the box holds the tile, and is larger by some
+    /// roundings.
     ///
     /// ```
     /// use terrella::cube::{CubeMap, Face, S2Quadratic};

@@ -192,7 +192,7 @@ impl<T: Real> Line<T> {
         self.unrolled_to(&self.near_place(distance))
     }
 
-    fn unrolled_to(&self, place: &Place<T>) -> [T; 2] {
+    pub(in crate::geodesic) fn unrolled_to(&self, place: &Place<T>) -> [T; 2] {
         let arc = place.point.arc * T::of(PI / 180.0);
         let turned = self.turned(arc, place.sigma2);
         let [lat, lon] = [place.point.position.lat(), place.point.position.lon()];
