@@ -44,8 +44,6 @@ fn main() {
     let here = PathBuf::from(env::var("CARGO_MANIFEST_DIR").unwrap());
     let root = here.join("../..");
     println!("cargo::rustc-link-search={}", here.display());
-    // Equal functions are linked once: otherwise the Cortex-M4F's flash does not hold them all.
-    println!("cargo::rustc-link-arg=--icf=all");
     println!("cargo::rerun-if-changed=memory.x");
     println!("cargo::rerun-if-changed={}", root.join("tests/truth").display());
     let mut text = String::new();

@@ -132,7 +132,6 @@ macro_rules! parts {
         }
     )*};
 }
-#[cfg(any(feature = "routes", feature = "terrain"))]
 pub(crate) use parts;
 
 parts! {

@@ -8,32 +8,24 @@
 
 mod arguments;
 mod batch;
-#[cfg(feature = "terrain")]
 mod batch_terrain;
 mod bits;
 mod catalogue;
 mod cube;
 mod distortion;
-#[cfg(feature = "routes")]
 mod fences;
 mod frame;
 mod geodesic;
-#[cfg(feature = "routes")]
 mod grid;
 mod healpix;
-#[cfg(feature = "routes")]
 mod intersections;
 mod latitude;
-#[cfg(feature = "routes")]
 mod legs;
 mod math;
 mod position;
-#[cfg(feature = "routes")]
 mod rhumb;
 mod scene;
-#[cfg(feature = "terrain")]
 mod terrain;
-#[cfg(feature = "routes")]
 mod text;
 
 use core::fmt;
@@ -173,20 +165,14 @@ pub fn every_in<T: Scalar, V: Visitor>(visitor: &mut V) {
     geodesic::show::<T, V>(visitor);
     catalogue::show::<T, V>(visitor);
     healpix::show::<T, V>(visitor);
-    #[cfg(feature = "routes")]
-    {
-        legs::show::<T, V>(visitor);
-        fences::show::<T, V>(visitor);
-        intersections::show::<T, V>(visitor);
-        rhumb::show::<T, V>(visitor);
-        grid::show::<T, V>(visitor);
-        text::show::<T, V>(visitor);
-    }
+    legs::show::<T, V>(visitor);
+    fences::show::<T, V>(visitor);
+    intersections::show::<T, V>(visitor);
+    rhumb::show::<T, V>(visitor);
+    grid::show::<T, V>(visitor);
+    text::show::<T, V>(visitor);
     batch::show::<T, V>(visitor);
     scene::show::<T, V>(visitor);
-    #[cfg(feature = "terrain")]
-    {
-        terrain::show::<T, V>(visitor);
-        batch_terrain::show::<T, V>(visitor);
-    }
+    terrain::show::<T, V>(visitor);
+    batch_terrain::show::<T, V>(visitor);
 }
