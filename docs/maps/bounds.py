@@ -3,7 +3,7 @@
 
     python3 bounds.py
 
-L is the length of an edge of a face, l(s) the distance between points of opposite edges at arc s from their middles.
+L is the length of an edge of a face. M, delta, P and A are those of the page.
 """
 
 from math import acos, atan, hypot, sin, sqrt
@@ -16,6 +16,7 @@ COMPACT = {
 
 
 def distance(arc):
+    """Between the points of opposite edges at this arc from their middles."""
     return acos(sin(arc) ** 2)
 
 
@@ -62,10 +63,10 @@ def scales(x, y, h=1e-5):
 
 def main():
     best = max((oversize(i / 1000), i / 1000) for i in range(1, 1001))
-    print(f"oversize at least {best[0]:.6f} (lines within {best[1]}), {oversize(1e-9):.6f} by the midline alone")
+    print(f"oversize at least {best[0]:.6f} (lines within {best[1]}); {oversize(1e-9):.6f} by the midline")
 
-    least = [L / 2 * i / 100 for i in range(1, 101)]
-    quotients = [largest(best[1], best[0], lambda t: L / 2 - m * (1 - t)) / m for m in least]
+    scale = [L / 2 * i / 100 for i in range(1, 101)]
+    quotients = [largest(best[1], best[0], lambda t: L / 2 - m * (1 - t)) / m for m in scale]
     assert quotients == sorted(quotients, reverse=True), "an edge of even scale is the worst case"
 
     n = 200
@@ -81,7 +82,8 @@ def main():
     strips = sum((a if y < d else 0) + (b if x < d else 0) for (x, y), (a, b) in inside.items()) / n**2
     ends = sum(distance(arc(*compact(1, y))) for y in grid if y < d) / n
     lower = largest(d, aspect, lambda t: L / 2 - least * (1 - t))
-    print(f"compact: aspect {aspect:.4f}, products {ratio:.4f}, least scale of the edge {least:.4f} <= {L / 2:.4f}")
+    print(f"compact: aspect {aspect:.4f}, products {ratio:.4f}")
+    print(f"  least scale of the edge {least:.4f} <= {L / 2:.4f}")
     print(f"  strips {strips:.4f} >= {ends:.4f} by their ends; M {upper:.4f} >= {lower:.4f}")
     print(f"  aspect x products {aspect * ratio:.4f} >= {(upper / least) ** 2:.4f} >= {best[0] ** 2:.4f}")
     assert strips >= ends and upper >= lower >= least * best[0]

@@ -4,8 +4,8 @@
     pip install numpy scipy
     python3 forms.py            a minute
 
-In the octant 0 <= y <= x <= 1, u = x(1 + pU), v = y(1 + qV) for sums U, V of terms. The figures are those of the places
-that the search uses, and of 1893.
+In the octant 0 <= y <= x <= 1, u = x(1 + pU), v = y(1 + qV) for sums U, V of terms. The figures are over
+the places that the search uses, and over 1893.
 """
 
 import numpy as np
@@ -69,7 +69,7 @@ def main():
         c[0] = 0 if form == "tangent" else -0.24
         c, worst = improve(places, c, list(range(len(c))), steps=60)
         more = oversize(Places(form, degree, 60), c)
-        print(f"{form} {degree}: {len(c)} coefficients, {np.exp(worst):.4f}, {np.exp(more):.4f} on more places", flush=True)
+        print(f"{form} {degree}: {len(c)} coefficients, {np.exp(worst):.4f}, {np.exp(more):.4f}", flush=True)
 
 
 if __name__ == "__main__":
