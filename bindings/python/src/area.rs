@@ -29,9 +29,14 @@ fn rings_f64<'py>(
     let (corners, made) = (slices(&corners)?, slices_mut(&mut made)?);
     let area = Area::new(Ellipsoid::new(ellipsoid.0, ellipsoid.1).map_err(refusal)?).map_err(refusal)?;
     let rings = made[0].len();
-    Ok(run(py, threads, rings, Rings(offsets.as_slice()?), made, |Rings(offsets), [areas, perimeters]| {
-        polygons(&area, offsets, corners, areas, perimeters)
-    }))
+    Ok(run(
+        py,
+        threads,
+        rings,
+        Rings(offsets.as_slice()?),
+        made,
+        |Rings(offsets), [areas, perimeters]| polygons(&area, offsets, corners, areas, perimeters),
+    ))
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

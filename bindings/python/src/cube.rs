@@ -41,11 +41,19 @@ macro_rules! scalar {
             mut faces: Made<'py, u8>,
             mut points: [Made<'py, $t>; 2],
         ) -> PyResult<Refused> {
-            let (places, made) = (slices(&places)?, (faces.as_slice_mut()?, slices_mut(&mut points)?));
+            let (places, made) = (
+                slices(&places)?,
+                (faces.as_slice_mut()?, slices_mut(&mut points)?),
+            );
             let map = &map.get().$field;
-            Ok(run(py, threads, places[0].len(), places, made, |places, (faces, points)| {
-                project(map, places, faces, points)
-            }))
+            Ok(run(
+                py,
+                threads,
+                places[0].len(),
+                places,
+                made,
+                |places, (faces, points)| project(map, places, faces, points),
+            ))
         }
 
         #[pyfunction]
@@ -59,9 +67,14 @@ macro_rules! scalar {
         ) -> PyResult<Refused> {
             let (given, places) = ((faces.as_slice()?, slices(&points)?), slices_mut(&mut places)?);
             let map = &map.get().$field;
-            Ok(run(py, threads, given.0.len(), given, places, |(faces, points), places| {
-                unproject(map, faces, points, places)
-            }))
+            Ok(run(
+                py,
+                threads,
+                given.0.len(),
+                given,
+                places,
+                |(faces, points), places| unproject(map, faces, points, places),
+            ))
         }
     };
 }
@@ -71,8 +84,17 @@ scalar! { f32 single project_f32 unproject_f32 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Map>()?;
-    module.add("PROJECTIONS", Projection::ALL.iter().map(|projection| projection.name()).collect::<Vec<_>>())?;
-    module.add("SHIFTS", Shift::ALL.iter().map(|shift| shift.name()).collect::<Vec<_>>())?;
+    module.add(
+        "PROJECTIONS",
+        Projection::ALL
+            .iter()
+            .map(|projection| projection.name())
+            .collect::<Vec<_>>(),
+    )?;
+    module.add(
+        "SHIFTS",
+        Shift::ALL.iter().map(|shift| shift.name()).collect::<Vec<_>>(),
+    )?;
     module.add_function(wrap_pyfunction!(project_f64, module)?)?;
     module.add_function(wrap_pyfunction!(project_f32, module)?)?;
     module.add_function(wrap_pyfunction!(unproject_f64, module)?)?;

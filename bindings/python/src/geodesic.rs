@@ -57,9 +57,14 @@ macro_rules! functions {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let method = &solver.get().$field;
-            Ok(run(py, threads, given[0].len(), given, made, |[lat1, lon1, lat2, lon2], lines| {
-                inverse(method, [lat1, lon1], [lat2, lon2], lines)
-            }))
+            Ok(run(
+                py,
+                threads,
+                given[0].len(),
+                given,
+                made,
+                |[lat1, lon1, lat2, lon2], lines| inverse(method, [lat1, lon1], [lat2, lon2], lines),
+            ))
         }
 
         #[pyfunction]
@@ -72,9 +77,14 @@ macro_rules! functions {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let method = &solver.get().$field;
-            Ok(run(py, threads, given[0].len(), given, made, |[lat1, lon1, lat2, lon2], [metres]| {
-                distance(method, [lat1, lon1], [lat2, lon2], metres)
-            }))
+            Ok(run(
+                py,
+                threads,
+                given[0].len(),
+                given,
+                made,
+                |[lat1, lon1, lat2, lon2], [metres]| distance(method, [lat1, lon1], [lat2, lon2], metres),
+            ))
         }
 
         #[pyfunction]
@@ -87,9 +97,14 @@ macro_rules! functions {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let method = &solver.get().$field;
-            Ok(run(py, threads, given[0].len(), given, made, |[lat, lon, azimuth, distance], ends| {
-                direct(method, [lat, lon], azimuth, distance, ends)
-            }))
+            Ok(run(
+                py,
+                threads,
+                given[0].len(),
+                given,
+                made,
+                |[lat, lon, azimuth, distance], ends| direct(method, [lat, lon], azimuth, distance, ends),
+            ))
         }
     };
 }
@@ -110,8 +125,13 @@ fn along_f64<'py>(
     let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
     let ellipsoid = Ellipsoid::new(ellipsoid.0, ellipsoid.1).map_err(refusal)?;
     let from = LatLon::new(start.0, start.1).map_err(refusal)?;
-    let line = Karney::new(ellipsoid).map_err(refusal)?.line(from, start.2).map_err(refusal)?;
-    Ok(run(py, threads, given[0].len(), given, made, |[distance], points| along(&line, distance, points)))
+    let line = Karney::new(ellipsoid)
+        .map_err(refusal)?
+        .line(from, start.2)
+        .map_err(refusal)?;
+    Ok(run(py, threads, given[0].len(), given, made, |[distance], points| {
+        along(&line, distance, points)
+    }))
 }
 
 /// Semi-major axis and flattening of the ellipsoid of a name.
@@ -123,7 +143,10 @@ fn ellipsoid(name: &str) -> PyResult<(f64, f64)> {
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Solver>()?;
-    module.add("METHODS", Method::ALL.iter().map(|method| method.name()).collect::<Vec<_>>())?;
+    module.add(
+        "METHODS",
+        Method::ALL.iter().map(|method| method.name()).collect::<Vec<_>>(),
+    )?;
     module.add("ELLIPSOIDS", terrella::NAMED.to_vec())?;
     module.add_function(wrap_pyfunction!(ellipsoid, module)?)?;
     module.add_function(wrap_pyfunction!(inverse_f64, module)?)?;

@@ -24,7 +24,9 @@ fn utm<'py>(
         (slices(&places)?, slices_mut(&mut bytes)?, slices_mut(&mut positions)?);
     let mut refused = 0;
     for row in 0..lat.len() {
-        let position = LatLon::new(lat[row], lon[row]).ok().and_then(|place| grid.forward(place).ok());
+        let position = LatLon::new(lat[row], lon[row])
+            .ok()
+            .and_then(|place| grid.forward(place).ok());
         refused += usize::from(position.is_none());
         let (zone, north, easting, northing) = position.map_or((0, false, f64::NAN, f64::NAN), |position| {
             let north = position.hemisphere == Hemisphere::North;
@@ -49,8 +51,13 @@ fn from_utm<'py>(
     let mut refused = 0;
     for row in 0..zones.len() {
         let place = Zone::new(zones[row]).ok().and_then(|zone| {
-            let hemisphere = if norths[row] == 0 { Hemisphere::South } else { Hemisphere::North };
-            grid.inverse(GridPosition::new(zone, hemisphere, eastings[row], northings[row])).ok()
+            let hemisphere = if norths[row] == 0 {
+                Hemisphere::South
+            } else {
+                Hemisphere::North
+            };
+            grid.inverse(GridPosition::new(zone, hemisphere, eastings[row], northings[row]))
+                .ok()
         });
         refused += usize::from(place.is_none());
         (lat[row], lon[row]) = place.map_or((f64::NAN, f64::NAN), |place| (place.lat(), place.lon()));
@@ -62,13 +69,17 @@ fn from_utm<'py>(
 #[pyfunction]
 fn mgrs(ellipsoid: (f64, f64), lat: f64, lon: f64, precision: u8) -> PyResult<String> {
     let place = LatLon::new(lat, lon).map_err(refusal)?;
-    Ok(Mgrs::of(&grid(ellipsoid)?, place, precision).map_err(refusal)?.to_string())
+    Ok(Mgrs::of(&grid(ellipsoid)?, place, precision)
+        .map_err(refusal)?
+        .to_string())
 }
 
 /// The place in the middle of a square.
 #[pyfunction]
 fn from_mgrs(ellipsoid: (f64, f64), text: &str) -> PyResult<(f64, f64)> {
-    let square: Mgrs = text.parse().map_err(|why| PyValueError::new_err(format!("{text:?}: {why}")))?;
+    let square: Mgrs = text
+        .parse()
+        .map_err(|why| PyValueError::new_err(format!("{text:?}: {why}")))?;
     let place = grid(ellipsoid)?.inverse(square.centre()).map_err(refusal)?;
     Ok((place.lat(), place.lon()))
 }

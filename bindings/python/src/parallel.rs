@@ -80,7 +80,9 @@ pub fn run<G: Columns, M: Columns, E: Display>(
                 start += here;
             }
             let parts = workers.into_iter().map(|worker| worker.join().expect("nothing panics"));
-            parts.flatten().reduce(|(count, first, why), (more, _, _)| (count + more, first, why))
+            parts
+                .flatten()
+                .reduce(|(count, first, why), (more, _, _)| (count + more, first, why))
         })
     })
 }

@@ -20,7 +20,9 @@ macro_rules! scalar {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let figure = Ellipsoid::new(ellipsoid.0 as $t, ellipsoid.1 as $t).map_err(refusal)?;
-            Ok(run(py, threads, given[0].len(), given, made, |places, points| to_ecef(figure, places, points)))
+            Ok(run(py, threads, given[0].len(), given, made, |places, points| {
+                to_ecef(figure, places, points)
+            }))
         }
 
         #[pyfunction]
@@ -33,7 +35,9 @@ macro_rules! scalar {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let figure = Ellipsoid::new(ellipsoid.0 as $t, ellipsoid.1 as $t).map_err(refusal)?;
-            Ok(run(py, threads, given[0].len(), given, made, |points, places| to_geodetic(figure, points, places)))
+            Ok(run(py, threads, given[0].len(), given, made, |points, places| {
+                to_geodetic(figure, points, places)
+            }))
         }
 
         /// Both ways between places and the axes of a frame, by the way's name.
@@ -53,12 +57,24 @@ macro_rules! scalar {
             let axes = LocalFrame::new(figure, Geodetic::new(place, origin.2 as $t).map_err(refusal)?);
             let rows = given[0].len();
             Ok(match way {
-                "to_enu" => run(py, threads, rows, given, made, |g, m| frame::geodetic_to_enu(&axes, g, m)),
-                "to_ned" => run(py, threads, rows, given, made, |g, m| frame::geodetic_to_ned(&axes, g, m)),
-                "to_aer" => run(py, threads, rows, given, made, |g, m| frame::geodetic_to_aer(&axes, g, m)),
-                "from_enu" => run(py, threads, rows, given, made, |g, m| frame::enu_to_geodetic(&axes, g, m)),
-                "from_ned" => run(py, threads, rows, given, made, |g, m| frame::ned_to_geodetic(&axes, g, m)),
-                "from_aer" => run(py, threads, rows, given, made, |g, m| frame::aer_to_geodetic(&axes, g, m)),
+                "to_enu" => run(py, threads, rows, given, made, |g, m| {
+                    frame::geodetic_to_enu(&axes, g, m)
+                }),
+                "to_ned" => run(py, threads, rows, given, made, |g, m| {
+                    frame::geodetic_to_ned(&axes, g, m)
+                }),
+                "to_aer" => run(py, threads, rows, given, made, |g, m| {
+                    frame::geodetic_to_aer(&axes, g, m)
+                }),
+                "from_enu" => run(py, threads, rows, given, made, |g, m| {
+                    frame::enu_to_geodetic(&axes, g, m)
+                }),
+                "from_ned" => run(py, threads, rows, given, made, |g, m| {
+                    frame::ned_to_geodetic(&axes, g, m)
+                }),
+                "from_aer" => run(py, threads, rows, given, made, |g, m| {
+                    frame::aer_to_geodetic(&axes, g, m)
+                }),
                 _ => return Err(refusal(format_args!("{way:?} is no way between places and axes"))),
             })
         }
@@ -78,7 +94,9 @@ macro_rules! scalar {
             let figure = Ellipsoid::new(ellipsoid.0 as $t, ellipsoid.1 as $t).map_err(refusal)?;
             let (from, to): (Latitude, Latitude) = (from.parse().map_err(refusal)?, to.parse().map_err(refusal)?);
             let conversion = Conversion::new(figure, from, to).map_err(refusal)?;
-            Ok(run(py, threads, given[0].len(), given, made, |[from], [to]| latitude::degrees(&conversion, from, to)))
+            Ok(run(py, threads, given[0].len(), given, made, |[from], [to]| {
+                latitude::degrees(&conversion, from, to)
+            }))
         }
     };
 }
@@ -87,7 +105,10 @@ scalar! { f64 to_ecef_f64 to_geodetic_f64 frame_f64 latitude_f64 }
 scalar! { f32 to_ecef_f32 to_geodetic_f32 frame_f32 latitude_f32 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("LATITUDES", Latitude::ALL.iter().map(|latitude| latitude.name()).collect::<Vec<_>>())?;
+    module.add(
+        "LATITUDES",
+        Latitude::ALL.iter().map(|latitude| latitude.name()).collect::<Vec<_>>(),
+    )?;
     module.add_function(wrap_pyfunction!(to_ecef_f64, module)?)?;
     module.add_function(wrap_pyfunction!(to_ecef_f32, module)?)?;
     module.add_function(wrap_pyfunction!(to_geodetic_f64, module)?)?;

@@ -1,9 +1,9 @@
 use pyo3::prelude::*;
+use terrella::Ellipsoid;
 use terrella::batch::healpix::{centre, containing};
 use terrella::batch::terrain::{from_key, places_to_key, to_key};
 use terrella::healpix::OnEllipsoid;
 use terrella::terrain::{Covering, Hilbert, Key, LatLonBox, Tile};
-use terrella::Ellipsoid;
 
 use crate::array::{Given, Made, slices, slices_mut};
 use crate::cube::Map;
@@ -22,7 +22,10 @@ fn keys<'py>(
 ) -> PyResult<Refused> {
     let (places, keys) = (slices(&places)?, slices_mut(&mut keys)?);
     if level > Tile::MAX_LEVEL {
-        return Err(refusal(format_args!("level {level} is not in 0 to {}", Tile::MAX_LEVEL)));
+        return Err(refusal(format_args!(
+            "level {level} is not in 0 to {}",
+            Tile::MAX_LEVEL
+        )));
     }
     let map = &map.get().double;
     Ok(run(py, threads, places[0].len(), places, keys, |places, [keys]| {
@@ -40,9 +43,14 @@ fn tiles_to_keys<'py>(
     mut keys: [Made<'py, u64>; 1],
 ) -> PyResult<Refused> {
     let (given, keys) = ((slices(&bytes)?, slices(&squares)?), slices_mut(&mut keys)?);
-    Ok(run(py, threads, given.0[0].len(), given, keys, |([faces, levels], squares), [keys]| {
-        to_key::<Hilbert, u8>(faces, levels, squares, keys)
-    }))
+    Ok(run(
+        py,
+        threads,
+        given.0[0].len(),
+        given,
+        keys,
+        |([faces, levels], squares), [keys]| to_key::<Hilbert, u8>(faces, levels, squares, keys),
+    ))
 }
 
 /// Tiles of keys.
@@ -55,9 +63,14 @@ fn keys_to_tiles<'py>(
     mut squares: [Made<'py, u32>; 2],
 ) -> PyResult<Refused> {
     let (keys, made) = (slices(&keys)?, (slices_mut(&mut bytes)?, slices_mut(&mut squares)?));
-    Ok(run(py, threads, keys[0].len(), keys, made, |[keys], ([faces, levels], squares)| {
-        from_key::<Hilbert, u8>(keys, faces, levels, squares)
-    }))
+    Ok(run(
+        py,
+        threads,
+        keys[0].len(),
+        keys,
+        made,
+        |[keys], ([faces, levels], squares)| from_key::<Hilbert, u8>(keys, faces, levels, squares),
+    ))
 }
 
 /// South, west, north and east of the box that holds a tile.
@@ -93,7 +106,9 @@ fn cover(
     let mut keys = Vec::new();
     for tile in covering {
         if keys.len() == limit {
-            return Err(refusal(format_args!("more than {limit} tiles cover this box at level {level}")));
+            return Err(refusal(format_args!(
+                "more than {limit} tiles cover this box at level {level}"
+            )));
         }
         keys.push(Key::<Hilbert>::from(tile).bits());
     }
@@ -113,9 +128,14 @@ fn healpix_containing<'py>(
 ) -> PyResult<Refused> {
     let (places, numbers) = (slices(&places)?, slices_mut(&mut numbers)?);
     let surface = surface(ellipsoid)?;
-    Ok(run(py, threads, places[0].len(), places, numbers, |places, [numbers]| {
-        containing(&surface, depth, places, numbers)
-    }))
+    Ok(run(
+        py,
+        threads,
+        places[0].len(),
+        places,
+        numbers,
+        |places, [numbers]| containing(&surface, depth, places, numbers),
+    ))
 }
 
 /// Centres of pixels.
@@ -130,9 +150,14 @@ fn healpix_centre<'py>(
 ) -> PyResult<Refused> {
     let (numbers, places) = (slices(&numbers)?, slices_mut(&mut places)?);
     let surface = surface(ellipsoid)?;
-    Ok(run(py, threads, numbers[0].len(), numbers, places, |[numbers], places| {
-        centre(&surface, depth, numbers, places)
-    }))
+    Ok(run(
+        py,
+        threads,
+        numbers[0].len(),
+        numbers,
+        places,
+        |[numbers], places| centre(&surface, depth, numbers, places),
+    ))
 }
 
 fn surface(ellipsoid: (f64, f64)) -> PyResult<OnEllipsoid<f64>> {

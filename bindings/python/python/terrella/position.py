@@ -98,7 +98,7 @@ def convert_latitude(
     """From one of ``LATITUDES`` to another, in degrees.
 
     >>> round(float(convert_latitude(45.0, source="geodetic", target="authalic")), 6)
-    44.87172
+    44.871703
     """
     return call("latitude", [ellipsoid_of(ellipsoid), source, target], [latitude], 1, threads=threads)[0]
 
