@@ -10,13 +10,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// The version of this header, 100 times the minor one more with each.
+// The major version of this header.
 #define TERRELLA_VERSION_MAJOR 0
 
-// The minor version.
+// The minor version of this header.
 #define TERRELLA_VERSION_MINOR 1
 
-// The patch version.
+// The patch version of this header.
 #define TERRELLA_VERSION_PATCH 0
 
 // What a function returns: 0 if all is well, or one number for each refusal. Nothing is written then. Numbers are
@@ -70,6 +70,10 @@ enum terrella_status
   TERRELLA_NULL = 20,
   // Elements of the arrays were refused: their results are NaN, and all others are written.
   TERRELLA_ELEMENTS = 21,
+  // A handle was not made: nobody called its `init`, or `init` was refused.
+  TERRELLA_NOT_MADE = 22,
+  // An array for results overlaps another in part. It may be the same as one that is given, or apart from all.
+  TERRELLA_OVERLAP = 23,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -124,99 +128,117 @@ typedef int32_t terrella_side;
 // The measure of areas on an ellipsoid.
 typedef struct {
   double words[188];
+  uint32_t made;
 } terrella_area_f64;
 
 // An ellipsoid of revolution.
 typedef struct {
   double words[2];
+  uint32_t made;
 } terrella_ellipsoid_f64;
 
 // The measure of areas on an ellipsoid.
 typedef struct {
   uint64_t words[96];
+  uint32_t made;
 } terrella_area_f32;
 
 // An ellipsoid of revolution.
 typedef struct {
   float words[2];
+  uint32_t made;
 } terrella_ellipsoid_f32;
 
 // Karney's geodesics: exact between any two places.
 typedef struct {
   double words[108];
+  uint32_t made;
 } terrella_karney_f64;
 
 // Karney's geodesics.
 typedef struct {
   uint64_t words[55];
+  uint32_t made;
 } terrella_karney_f32;
 
 // A map of an ellipsoid onto the faces of a cube, by any projection.
 typedef struct {
   double words[38];
+  uint32_t made;
 } terrella_cube_f64;
 
 // A map of an ellipsoid onto the faces of a cube, by any projection.
 typedef struct {
   float words[38];
+  uint32_t made;
 } terrella_cube_f32;
 
 // Axes about an origin.
 typedef struct {
   double words[14];
+  uint32_t made;
 } terrella_frame_f64;
 
 // Axes about an origin.
 typedef struct {
   float words[14];
+  uint32_t made;
 } terrella_frame_f32;
 
 // Vincenty's formulas (1975), which may not converge between nearly antipodal places.
 typedef struct {
   double words[4];
+  uint32_t made;
 } terrella_vincenty_f64;
 
 // Andoyer's formula to the second order in the flattening.
 typedef struct {
   double words[4];
+  uint32_t made;
 } terrella_andoyer_second_f64;
 
 // Vincenty's formulas (1975).
 typedef struct {
   float words[4];
+  uint32_t made;
 } terrella_vincenty_f32;
 
 // Andoyer's formula to the second order in the flattening.
 typedef struct {
   float words[4];
+  uint32_t made;
 } terrella_andoyer_second_f32;
 
 // Great circles of a sphere.
 typedef struct {
   double words[1];
+  uint32_t made;
 } terrella_great_circle_f64;
 
 // A geodesic from a place at an azimuth, along which many places are found.
 typedef struct {
   double words[150];
+  uint32_t made;
 } terrella_line_f64;
 
 // Great circles of a sphere.
 typedef struct {
   float words[1];
+  uint32_t made;
 } terrella_great_circle_f32;
 
 // A geodesic from a place at an azimuth.
 typedef struct {
   uint64_t words[76];
+  uint32_t made;
 } terrella_line_f32;
 
-// A place that was checked.
+// A place that was checked: a corner of a fence.
 typedef struct {
   double words[2];
 } terrella_place_f64;
 
-// A place that was checked.
+// A place that was checked: a corner of a fence.
 typedef struct {
   float words[2];
 } terrella_place_f32;
@@ -224,11 +246,13 @@ typedef struct {
 // Rhumb lines: lines of constant azimuth.
 typedef struct {
   double words[69];
+  uint32_t made;
 } terrella_rhumb_f64;
 
 // Rhumb lines: lines of constant azimuth.
 typedef struct {
   float words[69];
+  uint32_t made;
 } terrella_rhumb_f32;
 
 #ifdef __cplusplus
@@ -260,8 +284,9 @@ terrella_status terrella_area_polygon_f32(const terrella_area_f32 *area,
                                           float *perimeter);
 
 // `terrella_karney_inverse` for arrays of `count` elements, several at a time where the machine has vectors. What is
-// refused becomes NaN, and the first index of such goes to `first_refused`. Results may go to arrays that were
-// given.
+// refused becomes NaN, and the index of the first such goes to `first_refused`, which is not written if nothing is
+// refused. Arrays for results may be arrays that are given, or apart from all. It takes 12 kB of stack (f32: 6), with
+// vectors more.
 terrella_status terrella_karney_inverse_all_f64(const terrella_karney_f64 *karney,
                                                 size_t count,
                                                 const double *lat1,
@@ -308,8 +333,9 @@ terrella_status terrella_ellipsoid_to_geodetic_all_f64(const terrella_ellipsoid_
                                                        size_t *first_refused);
 
 // `terrella_karney_inverse` for arrays of `count` elements, several at a time where the machine has vectors. What is
-// refused becomes NaN, and the first index of such goes to `first_refused`. Results may go to arrays that were
-// given.
+// refused becomes NaN, and the index of the first such goes to `first_refused`, which is not written if nothing is
+// refused. Arrays for results may be arrays that are given, or apart from all. It takes 12 kB of stack (f32: 6), with
+// vectors more.
 terrella_status terrella_karney_inverse_all_f32(const terrella_karney_f32 *karney,
                                                 size_t count,
                                                 const float *lat1,
@@ -373,7 +399,7 @@ terrella_status terrella_cube_project_f64(const terrella_cube_f64 *cube,
 
 // The inverse of `terrella_cube_project`.
 terrella_status terrella_cube_unproject_f64(const terrella_cube_f64 *cube,
-                                            uint8_t face,
+                                            uint32_t face,
                                             double x,
                                             double y,
                                             double *lat,
@@ -397,7 +423,7 @@ terrella_status terrella_cube_project_f32(const terrella_cube_f32 *cube,
 
 // The inverse of `terrella_cube_project`.
 terrella_status terrella_cube_unproject_f32(const terrella_cube_f32 *cube,
-                                            uint8_t face,
+                                            uint32_t face,
                                             float x,
                                             float y,
                                             float *lat,
@@ -1076,8 +1102,8 @@ const char *terrella_status_text(int32_t status);
 
 // The key of a tile, along Hilbert's curve: face 0 to 5, level 0 to 30, column and row 0 to 2^level − 1. With the projection
 // "s2-quadratic" and the shift "geodetic" it is S2's cell id.
-terrella_status terrella_tile_key(uint8_t face,
-                                  uint8_t level,
+terrella_status terrella_tile_key(uint32_t face,
+                                  uint32_t level,
                                   uint32_t i,
                                   uint32_t j,
                                   uint64_t *key);
@@ -1089,7 +1115,7 @@ terrella_status terrella_tile_of_key(uint64_t key, uint8_t *face, uint8_t *level
 terrella_status terrella_cube_key_f64(const terrella_cube_f64 *cube,
                                       double lat,
                                       double lon,
-                                      uint8_t level,
+                                      uint32_t level,
                                       uint64_t *key);
 
 // The box of latitudes and longitudes in degrees that holds a tile; `east` is below `west` if it crosses ±180°.
@@ -1104,7 +1130,7 @@ terrella_status terrella_cube_bounds_f64(const terrella_cube_f64 *cube,
 terrella_status terrella_cube_key_f32(const terrella_cube_f32 *cube,
                                       float lat,
                                       float lon,
-                                      uint8_t level,
+                                      uint32_t level,
                                       uint64_t *key);
 
 // The box of latitudes and longitudes in degrees that holds a tile; `east` is below `west` if it crosses ±180°.

@@ -25,7 +25,7 @@ macro_rules! functions {
             ellipsoid: *const [<terrella_ellipsoid_ $t>],
         ) -> terrella_status {
             // SAFETY: the caller's.
-            status(|| unsafe { init(area, Area::new(*object(ellipsoid)?)?) })
+            status(|| unsafe { init(area, || Ok(Area::new(*object(ellipsoid)?)?)) })
         }
 
         /// The area in m² and the perimeter in metres of a polygon with geodesic edges: positive counter-clockwise. The last

@@ -14,7 +14,7 @@ const BLOCK: usize = 512;
 /// Runs blocks of arrays of C through a function of slices: I arrays in, which may not be NULL, and O arrays out, which may.
 ///
 /// # Safety
-/// Arrays that are not NULL have `count` elements; arrays out are the same as arrays in, or apart from them.
+/// Arrays that are not NULL have `count` elements.
 unsafe fn blocks<T: Copy + Default, E: Into<terrella_status>, const I: usize, const O: usize>(
     given: [*const T; I],
     made: [*mut T; O],
@@ -24,6 +24,15 @@ unsafe fn blocks<T: Copy + Default, E: Into<terrella_status>, const I: usize, co
 ) -> Result<(), terrella_status> {
     if count > 0 && given.iter().any(|array| array.is_null()) {
         return Err(terrella_status::TERRELLA_NULL);
+    }
+    let size = count.saturating_mul(size_of::<T>());
+    let apart = |a: usize, b: usize| a.abs_diff(b) >= size;
+    for (index, &result) in made.iter().enumerate().filter(|(_, result)| !result.is_null()) {
+        let same_or_apart = |&array: &*const T| array.addr() == result.addr() || apart(array.addr(), result.addr());
+        let others_apart = |other: &*mut T| other.is_null() || apart(other.addr(), result.addr());
+        if !given.iter().all(same_or_apart) || !made.iter().skip(index + 1).all(others_apart) {
+            return Err(terrella_status::TERRELLA_OVERLAP);
+        }
     }
     let mut results = [[T::default(); BLOCK]; O];
     let mut first = None;
@@ -55,8 +64,9 @@ unsafe fn blocks<T: Copy + Default, E: Into<terrella_status>, const I: usize, co
 macro_rules! functions {
     ($($t:ident)*) => {$(paste! {
         /// `terrella_karney_inverse` for arrays of `count` elements, several at a time where the machine has vectors. What is
-        /// refused becomes NaN, and the first index of such goes to `first_refused`. Results may go to arrays that were
-        /// given.
+        /// refused becomes NaN, and the index of the first such goes to `first_refused`, which is not written if nothing is
+        /// refused. Arrays for results may be arrays that are given, or apart from all. It takes 12 kB of stack (f32: 6), with
+        /// vectors more.
         ///
         /// # Safety
         /// Arrays given may not be NULL; results may.

@@ -1,7 +1,7 @@
 use core::ffi::{CStr, c_char};
 
 use pastey::paste;
-use terrella::cube::{CubeMap, Face, FacePoint, Projection};
+use terrella::cube::{CubeMap, FacePoint, Projection};
 use terrella::{LatLon, Shift};
 
 use crate::ellipsoid::{terrella_ellipsoid_f32, terrella_ellipsoid_f64};
@@ -44,8 +44,10 @@ macro_rules! functions {
         ) -> terrella_status {
             // SAFETY: the caller's.
             status(|| unsafe {
-                let (shift, projection) = (named::<Shift>(shift)?, named::<Projection>(projection)?);
-                init(cube, CubeMap::new(*object(ellipsoid)?, shift, projection)?)
+                init(cube, || {
+                    let (shift, projection) = (named::<Shift>(shift)?, named::<Projection>(projection)?);
+                    Ok(CubeMap::new(*object(ellipsoid)?, shift, projection)?)
+                })
             })
         }
 
@@ -80,7 +82,7 @@ macro_rules! functions {
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn [<terrella_cube_unproject_ $t>](
             cube: *const [<terrella_cube_ $t>],
-            face: u8,
+            face: u32,
             x: $t,
             y: $t,
             lat: *mut $t,
@@ -88,7 +90,7 @@ macro_rules! functions {
         ) -> terrella_status {
             // SAFETY: the caller's.
             status(|| unsafe {
-                let place = object(cube)?.unproject(FacePoint::new(Face::from_index(face)?, x, y)?);
+                let place = object(cube)?.unproject(FacePoint::new(crate::tile::face_of(face)?, x, y)?);
                 put(lat, place.lat());
                 put(lon, place.lon());
                 Ok(())

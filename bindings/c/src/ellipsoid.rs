@@ -26,7 +26,7 @@ macro_rules! functions {
             f: $t,
         ) -> terrella_status {
             // SAFETY: the caller's.
-            status(|| unsafe { init(ellipsoid, Ellipsoid::new(a, f)?) })
+            status(|| unsafe { init(ellipsoid, || Ok(Ellipsoid::new(a, f)?)) })
         }
 
         /// Makes the ellipsoid of a name, such as "wgs84", "grs80" or "moon".
@@ -38,15 +38,15 @@ macro_rules! functions {
             ellipsoid: *mut [<terrella_ellipsoid_ $t>],
             name: *const c_char,
         ) -> terrella_status {
-            status(|| {
-                if name.is_null() {
-                    return Err(terrella_status::TERRELLA_NULL);
-                }
-                // SAFETY: the caller's.
-                let name = unsafe { CStr::from_ptr(name) }.to_str().unwrap_or_default();
-                let found = Ellipsoid::named(name).map_err(|_| terrella_status::TERRELLA_UNKNOWN)?;
-                // SAFETY: the caller's.
-                unsafe { init(ellipsoid, found) }
+            // SAFETY: the caller's.
+            status(|| unsafe {
+                init(ellipsoid, || {
+                    if name.is_null() {
+                        return Err(terrella_status::TERRELLA_NULL);
+                    }
+                    let name = CStr::from_ptr(name).to_str().unwrap_or_default();
+                    Ellipsoid::named(name).map_err(|_| terrella_status::TERRELLA_UNKNOWN)
+                })
             })
         }
 

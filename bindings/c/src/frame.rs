@@ -82,8 +82,10 @@ macro_rules! functions {
         ) -> terrella_status {
             // SAFETY: the caller's.
             status(|| unsafe {
-                let origin = Geodetic::new(LatLon::new(lat, lon)?, height)?;
-                init(frame, LocalFrame::new(*object(ellipsoid)?, origin))
+                init(frame, || {
+                    let origin = Geodetic::new(LatLon::new(lat, lon)?, height)?;
+                    Ok(LocalFrame::new(*object(ellipsoid)?, origin))
+                })
             })
         }
 

@@ -46,7 +46,7 @@ macro_rules! methods {
             ellipsoid: *const [<terrella_ellipsoid_ $t>],
         ) -> terrella_status {
             // SAFETY: the caller's.
-            status(|| unsafe { init(method, $type::new(*object(ellipsoid)?)?) })
+            status(|| unsafe { init(method, || Ok($type::new(*object(ellipsoid)?)?)) })
         }
 
         solves! { $t $method $claim }
@@ -154,7 +154,7 @@ macro_rules! others {
             radius: $t,
         ) -> terrella_status {
             // SAFETY: the caller's.
-            status(|| unsafe { init(method, GreatCircle::new(radius)?) })
+            status(|| unsafe { init(method, || Ok(GreatCircle::new(radius)?)) })
         }
 
         solves! { $t great_circle "Exact on the sphere: within 8e-16 of the distance, in f32 4.2e-7." }
@@ -172,7 +172,7 @@ macro_rules! others {
             azimuth: $t,
         ) -> terrella_status {
             // SAFETY: the caller's.
-            status(|| unsafe { init(line, object(karney)?.line(LatLon::new(lat, lon)?, azimuth)?) })
+            status(|| unsafe { init(line, || Ok(object(karney)?.line(LatLon::new(lat, lon)?, azimuth)?)) })
         }
 
         /// The place at a distance in metres along a line, and the azimuth of travel at it, in degrees.

@@ -4,18 +4,36 @@ use terrella::route::{Fence, Legs, Reach, Rhumb, Side};
 
 use crate::ellipsoid::{terrella_ellipsoid_f32, terrella_ellipsoid_f64};
 use crate::geodesic::{terrella_great_circle_f32, terrella_great_circle_f64, terrella_karney_f32, terrella_karney_f64};
-use crate::handle::{handles, init, object, objects, put};
+use crate::handle::{Row, handles, init, init_row, object, objects, put};
 use crate::status::{status, terrella_status};
 
 handles! {
-    /// A place that was checked.
-    terrella_place_f64 [f64; 2]: LatLon<f64>;
-    /// A place that was checked.
-    terrella_place_f32 [f32; 2]: LatLon<f32>;
     /// Rhumb lines: lines of constant azimuth.
     terrella_rhumb_f64 [f64; 69]: Rhumb<f64>;
     /// Rhumb lines: lines of constant azimuth.
     terrella_rhumb_f32 [f32; 69]: Rhumb<f32>;
+}
+
+/// A place that was checked: a corner of a fence.
+#[repr(C)]
+pub struct terrella_place_f64 {
+    words: [f64; 2],
+}
+
+/// A place that was checked: a corner of a fence.
+#[repr(C)]
+pub struct terrella_place_f32 {
+    words: [f32; 2],
+}
+
+// SAFETY: two numbers, of which any can be read.
+unsafe impl Row for terrella_place_f64 {
+    type Object = LatLon<f64>;
+}
+
+// SAFETY: the same.
+unsafe impl Row for terrella_place_f32 {
+    type Object = LatLon<f32>;
 }
 
 /// Which part of a leg is closest to a place.
@@ -165,7 +183,7 @@ macro_rules! functions {
             lon: $t,
         ) -> terrella_status {
             // SAFETY: the caller's.
-            status(|| unsafe { init(place, LatLon::new(lat, lon)?) })
+            status(|| unsafe { init_row(place, LatLon::new(lat, lon)?) })
         }
 
         /// Makes rhumb lines of an ellipsoid.
@@ -178,7 +196,7 @@ macro_rules! functions {
             ellipsoid: *const [<terrella_ellipsoid_ $t>],
         ) -> terrella_status {
             // SAFETY: the caller's.
-            status(|| unsafe { init(rhumb, Rhumb::new(*object(ellipsoid)?)?) })
+            status(|| unsafe { init(rhumb, || Ok(Rhumb::new(*object(ellipsoid)?)?)) })
         }
 
         /// The rhumb line between two places in degrees: its length in metres, and its azimuth in degrees.

@@ -76,6 +76,10 @@ statuses! {
     TERRELLA_NULL = 20 "a pointer is NULL that may not be";
     /// Elements of the arrays were refused: their results are NaN, and all others are written.
     TERRELLA_ELEMENTS = 21 "elements of the arrays were refused";
+    /// A handle was not made: nobody called its `init`, or `init` was refused.
+    TERRELLA_NOT_MADE = 22 "a handle was not made, or its init was refused";
+    /// An array for results overlaps another in part. It may be the same as one that is given, or apart from all.
+    TERRELLA_OVERLAP = 23 "an array for results overlaps another in part";
 }
 
 use terrella_status::*;

@@ -7,15 +7,25 @@ use crate::cube::{terrella_cube_f32, terrella_cube_f64};
 use crate::handle::{object, put};
 use crate::status::{status, terrella_status};
 
+/// The face of a number. Faces and levels come as 32 bits: C would cut a larger number to 8 in silence.
+pub fn face_of(number: u32) -> Result<Face, terrella_status> {
+    let number = u8::try_from(number).map_err(|_| terrella_status::TERRELLA_FACE)?;
+    Ok(Face::from_index(number)?)
+}
+
+fn level_of(number: u32) -> Result<u8, terrella_status> {
+    u8::try_from(number).map_err(|_| terrella_status::TERRELLA_LEVEL)
+}
+
 /// The key of a tile, along Hilbert's curve: face 0 to 5, level 0 to 30, column and row 0 to 2^level − 1. With the projection
 /// "s2-quadratic" and the shift "geodetic" it is S2's cell id.
 ///
 /// # Safety
 /// `key` is NULL or valid.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn terrella_tile_key(face: u8, level: u8, i: u32, j: u32, key: *mut u64) -> terrella_status {
+pub unsafe extern "C" fn terrella_tile_key(face: u32, level: u32, i: u32, j: u32, key: *mut u64) -> terrella_status {
     status(|| {
-        let tile = Tile::new(Face::from_index(face)?, level, i, j)?;
+        let tile = Tile::new(face_of(face)?, level_of(level)?, i, j)?;
         // SAFETY: the caller's.
         unsafe { put(key, Key::<Hilbert>::from(tile).bits()) };
         Ok(())
@@ -56,12 +66,12 @@ macro_rules! functions {
             cube: *const [<terrella_cube_ $t>],
             lat: $t,
             lon: $t,
-            level: u8,
+            level: u32,
             key: *mut u64,
         ) -> terrella_status {
             // SAFETY: the caller's.
             status(|| unsafe {
-                let tile = Tile::containing(object(cube)?.project(LatLon::new(lat, lon)?), level)?;
+                let tile = Tile::containing(object(cube)?.project(LatLon::new(lat, lon)?), level_of(level)?)?;
                 put(key, Key::<Hilbert>::from(tile).bits());
                 Ok(())
             })

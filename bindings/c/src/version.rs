@@ -1,8 +1,8 @@
-/// The version of this header, 100 times the minor one more with each.
+/// The major version of this header.
 pub const TERRELLA_VERSION_MAJOR: i32 = 0;
-/// The minor version.
+/// The minor version of this header.
 pub const TERRELLA_VERSION_MINOR: i32 = 1;
-/// The patch version.
+/// The patch version of this header.
 pub const TERRELLA_VERSION_PATCH: i32 = 0;
 
 /// Returns 10 000 × major + 100 × minor + patch of the library that is linked; compare it with the header's.

@@ -2,8 +2,8 @@
 
 #include "check.h"
 
-_Static_assert(sizeof(terrella_karney_f64) == 864 && sizeof(terrella_karney_f32) == 440, "handles have one size");
-_Static_assert(sizeof(terrella_ellipsoid_f32) == 8 && sizeof(terrella_place_f64) == 16, "handles have one size");
+_Static_assert(sizeof(terrella_karney_f64) == 872 && sizeof(terrella_karney_f32) == 448, "handles have one size");
+_Static_assert(sizeof(terrella_ellipsoid_f32) == 12 && sizeof(terrella_place_f64) == 16, "handles have one size");
 
 #define COUNT 1200 // more than two blocks
 
@@ -22,6 +22,16 @@ static void refusals(void) {
   CHECK(terrella_karney_init_f64(&flat, &none) == TERRELLA_UNSUPPORTED_FLATTENING);
   CHECK(terrella_karney_init_f64(&flat, NULL) == TERRELLA_NULL);
   double distance = 7, lat = 7;
+  // A handle that was refused, one that nobody made, and one that was made before it was refused.
+  CHECK(terrella_karney_distance_f64(&flat, 0, 0, 0, 1, &distance) == TERRELLA_NOT_MADE);
+  terrella_cube_f64 zero, noise;
+  memset(&zero, 0, sizeof zero);
+  memset(&noise, 0xa5, sizeof noise);
+  CHECK(terrella_cube_project_f64(&zero, 0, 0, NULL, &lat, NULL) == TERRELLA_NOT_MADE);
+  CHECK(terrella_cube_project_f64(&noise, 0, 0, NULL, &lat, NULL) == TERRELLA_NOT_MADE);
+  terrella_karney_f64 again = earth;
+  CHECK(terrella_karney_init_f64(&again, &none) == TERRELLA_UNSUPPORTED_FLATTENING);
+  CHECK(terrella_karney_distance_f64(&again, 0, 0, 0, 1, &distance) == TERRELLA_NOT_MADE);
   CHECK(terrella_karney_inverse_f64(&earth, 91, 0, 0, 0, &distance, NULL, NULL) == TERRELLA_LATITUDE);
   CHECK(terrella_karney_inverse_f64(&earth, 0, 0, 0, INFINITY, &distance, NULL, NULL) == TERRELLA_LONGITUDE);
   CHECK(terrella_karney_inverse_f64(NULL, 0, 0, 0, 0, &distance, NULL, NULL) == TERRELLA_NULL);
@@ -42,8 +52,12 @@ static void refusals(void) {
   uint64_t key = 0;
   CHECK(terrella_cube_key_f64(&cube, 0, 0, 31, &key) == TERRELLA_LEVEL);
   CHECK(terrella_tile_key(0, 2, 4, 0, &key) == TERRELLA_COLUMN_OR_ROW);
+  CHECK(terrella_tile_key(256, 0, 0, 0, &key) == TERRELLA_FACE);
+  CHECK(terrella_tile_key(0, 256, 0, 0, &key) == TERRELLA_LEVEL);
+  CHECK(terrella_cube_unproject_f64(&cube, 260, 0, 0, &lat, NULL) == TERRELLA_FACE);
+  CHECK(terrella_cube_key_f64(&cube, 0, 0, 268, &key) == TERRELLA_LEVEL);
   CHECK(terrella_tile_of_key(0, NULL, NULL, NULL, NULL) == TERRELLA_KEY);
-  for (int status = TERRELLA_OK; status <= TERRELLA_ELEMENTS; status++)
+  for (int status = TERRELLA_OK; status <= TERRELLA_OVERLAP; status++)
     CHECK(strcmp(terrella_status_text(status), terrella_status_text(-1)) != 0);
   CHECK(terrella_version() == 10000 * TERRELLA_VERSION_MAJOR + 100 * TERRELLA_VERSION_MINOR + TERRELLA_VERSION_PATCH);
 }
@@ -68,6 +82,10 @@ static void arrays(void) {
   CHECK(terrella_karney_inverse_all_f64(&earth, COUNT, lat1, lon1, lat2, lon2, lat1, lon1, lat2, NULL) == TERRELLA_ELEMENTS);
   CHECK(lat1[1199] == distance[1199] && lon1[3] == azimuth[3]);
   CHECK(terrella_karney_inverse_all_f64(&earth, 3, lat1, NULL, lat2, lon2, distance, NULL, NULL, NULL) == TERRELLA_NULL);
+  CHECK(terrella_karney_inverse_all_f64(&earth, 9, lat1, lon1, lat2, lon2, lon1 + 1, NULL, NULL, NULL) == TERRELLA_OVERLAP);
+  CHECK(terrella_karney_inverse_all_f64(&earth, 9, lat1, lon1, lat2, lon2, distance, distance, NULL, NULL) == TERRELLA_OVERLAP);
+  static const double zero[9];
+  OK(terrella_karney_inverse_all_f64(&earth, 9, zero, zero, zero, zero, distance, distance + 9, NULL, NULL));
   OK(terrella_karney_inverse_all_f64(&earth, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL));
 
   static double x[COUNT], y[COUNT], z[COUNT], height[COUNT], lat[COUNT], lon[COUNT];
