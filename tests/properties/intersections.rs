@@ -13,6 +13,10 @@ fn double<T: Scalar>(value: T) -> f64 {
     value.into()
 }
 
+/// How many roundings two nearly coincident lines may be apart where they are said to meet: they meet anywhere, and 2600 were
+/// seen.
+const COINCIDENT: f64 = 1e5;
+
 /// An intersection is on both lines, but for rounding; lines in the other order have it in the other order; none from the
 /// middle between them is farther than the closest can be.
 fn intersections_are_on_both<T: Scalar>(bytes: &mut Bytes<'_>) {
@@ -29,17 +33,18 @@ fn intersections_are_on_both<T: Scalar>(bytes: &mut Bytes<'_>) {
     let a = double(ellipsoid.a());
     let gap = double(Segment::new(&karney, here.position, there.position).length()) / a;
     let epsilon = double(T::EPSILON);
+    let angle = double(here.azimuth - there.azimuth).to_radians().sin().abs();
+    let coincide = angle <= 1e4 * epsilon;
     assert!(
-        gap <= 40.0 * epsilon,
+        gap <= if coincide { COINCIDENT } else { 40.0 } * epsilon,
         "{place1:?} {place2:?} {azimuths:?} {met:?}: {gap:e}"
     );
     let sum = |x: T, y: T| (double(x).abs() + double(y).abs()) / a;
     let closest = sum(met.displacement1, met.displacement2);
     assert!(closest <= 3.5, "{place1:?} {place2:?} {azimuths:?} {met:?}");
-    // Nearly coincident lines meet anywhere.
-    let angle = double(here.azimuth - there.azimuth).to_radians().sin().abs();
     let swapped = intersections.closest(&other, &one);
-    if angle > 1e4 * epsilon {
+    // Next to a pole azimuths do not tell the angle.
+    if !coincide && met.overlap.is_none() && swapped.overlap.is_none() {
         let other_way = sum(swapped.displacement1, swapped.displacement2);
         assert!(
             (other_way - closest).abs() <= 1e3 * epsilon / angle,
@@ -65,10 +70,13 @@ fn intersections_of_segments<T: Scalar>(bytes: &mut Bytes<'_>) {
         for (at, segment) in [(met.displacement1, &one), (met.displacement2, &other)] {
             assert!(at >= T::ZERO && at <= segment.length(), "{met:?} {segment:?}");
         }
-        let there = other.line().at(met.displacement2).unwrap().position;
-        let gap = double(Segment::new(&karney, met.position, there).length()) / double(ellipsoid.a());
+        let here = one.line().at(met.displacement1).unwrap();
+        let there = other.line().at(met.displacement2).unwrap();
+        let gap = double(Segment::new(&karney, met.position, there.position).length()) / double(ellipsoid.a());
+        let angle = double(here.azimuth - there.azimuth).to_radians().sin().abs();
+        let epsilon = double(T::EPSILON);
         assert!(
-            gap <= 1e3 * double(T::EPSILON),
+            gap <= if angle <= 1e4 * epsilon { COINCIDENT } else { 1e3 } * epsilon,
             "{a:?} {b:?} {c:?} {d:?} {met:?} {gap:e}"
         );
     }
