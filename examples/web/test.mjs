@@ -2,62 +2,20 @@
 // Each error is held to what the README and the method's documentation claim.
 
 import { readFileSync } from "node:fs";
+import { claims, error, truth, worst } from "../../bindings/web/test/truth.mjs";
 import { load } from "./terrella.mjs";
 
 const [module, method] = process.argv.slice(2);
-const root = new URL("../../", import.meta.url);
 const terrella = await load(readFileSync(module));
-
-/** The rows of a truth file, as objects of text. */
-function truth(name) {
-  const text = readFileSync(new URL(`tests/truth/${name}.tsv`, root), "utf8");
-  const [header, ...rows] = text.trimEnd().split("\n").filter((line) => !line.startsWith("#")).map((line) => line.split("\t"));
-  return rows.map((row) => Object.fromEntries(header.map((name, index) => [name, row[index]])));
-}
-
-/** A decimal as an integer of 10^-places. */
-function fixed(text, places) {
-  const [mantissa, exponent = "0"] = text.toLowerCase().split("e");
-  const [whole, fraction = ""] = mantissa.split(".");
-  const shift = places + Number(exponent) - fraction.length;
-  const digits = BigInt(whole + fraction);
-  return shift < 0 ? digits / 10n ** BigInt(-shift) : digits * 10n ** BigInt(shift);
-}
-
-/** |computed - truth|, from all the digits of both. */
-function error(computed, text) {
-  const exact = exactly(computed);
-  const difference = fixed(exact, 60) - fixed(text, 60);
-  return Math.abs(Number(difference) / 1e60);
-}
-
-/** All the digits of a number: a sum of powers of two, which end. */
-function exactly(number) {
-  const view = new DataView(new ArrayBuffer(8));
-  view.setFloat64(0, number);
-  const bits = view.getBigUint64(0);
-  const biased = (bits >> 52n) & 0x7ffn;
-  const fraction = bits & 0xfffffffffffffn;
-  const significand = biased === 0n ? fraction : fraction | (1n << 52n);
-  const power = (biased === 0n ? 1n : biased) - 1075n;
-  const scaled = power < 0n ? (significand * 10n ** 60n) >> -power : (significand << power) * 10n ** 60n;
-  return `${number < 0 ? "-" : ""}${scaled}e-60`;
-}
-
-/** The claims of a row of the README's tables. */
-function claims(name) {
-  const row = readFileSync(new URL("README.md", root), "utf8").split("\n").find((line) => line.startsWith(`| ${name} |`) && /\de-\d/.test(line));
-  return row.split("|").slice(2, -1).map(Number).filter((number) => !Number.isNaN(number));
-}
 
 let failed = false;
 
 /** Holds the largest of errors, each a part of what is claimed of it; NaN if one is, which keeps no claim. */
 function hold(name, errors, claimed) {
-  const worst = Math.max(0, ...errors);
-  const well = worst <= claimed && errors.length > 100;
+  const most = worst(errors);
+  const well = most <= claimed && errors.length > 100;
   failed ||= !well;
-  console.log(`${name}\t${errors.length} rows\t${worst.toExponential(2)} of ${claimed}${well ? "" : "\tNOT KEPT"}`);
+  console.log(`${name}\t${errors.length} rows\t${most.toExponential(2)} of ${claimed}${well ? "" : "\tNOT KEPT"}`);
 }
 
 const [forward, , inverse] = claims("quadrilateralized");

@@ -26,53 +26,53 @@ enum terrella_status
   : int32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-  // All is well.
+  // Status: all is well.
   TERRELLA_OK = 0,
-  // A latitude is not in [−90, 90] degrees.
+  // Status: a latitude is not in [-90, 90] degrees.
   TERRELLA_LATITUDE = 1,
-  // A longitude is not finite.
+  // Status: a longitude is not finite.
   TERRELLA_LONGITUDE = 2,
-  // A height is not finite.
+  // Status: a height is not finite.
   TERRELLA_HEIGHT = 3,
-  // A point in Earth axes or in a local frame is not finite.
+  // Status: a point is not finite.
   TERRELLA_POINT = 4,
-  // A vector has no direction: it is 0, or not finite.
+  // Status: a vector has no direction.
   TERRELLA_DIRECTION = 5,
-  // A semi-major axis is not in [1e-15, 1e15] metres.
+  // Status: a semi-major axis is not in [1e-15, 1e15] metres.
   TERRELLA_SEMI_MAJOR_AXIS = 6,
-  // A flattening is not in [−1000, 1).
+  // Status: a flattening is not in [-1000, 1).
   TERRELLA_FLATTENING = 7,
-  // The flattening is outside the range in which this formula is accurate.
+  // Status: the flattening is outside the range in which this formula is accurate.
   TERRELLA_UNSUPPORTED_FLATTENING = 8,
-  // An azimuth is not finite.
+  // Status: an azimuth is not finite.
   TERRELLA_AZIMUTH = 9,
-  // A distance is not finite.
+  // Status: a distance is not finite.
   TERRELLA_DISTANCE = 10,
-  // A distance is longer than this method allows.
+  // Status: a distance is longer than this method allows.
   TERRELLA_TOO_FAR = 11,
-  // The method does not converge between these places, which are nearly antipodal.
+  // Status: the method does not converge between these places.
   TERRELLA_NOT_CONVERGED = 12,
-  // A fraction makes no finite distance.
+  // Status: a fraction makes no finite distance.
   TERRELLA_FRACTION = 13,
-  // A face is not in 0 to 5.
+  // Status: a face is not in 0 to 5.
   TERRELLA_FACE = 14,
-  // A point of a face is not in [−1, 1]².
+  // Status: a point of a face is not in [-1, 1].
   TERRELLA_FACE_POINT = 15,
-  // A level is not in 0 to 30.
+  // Status: a level is not in 0 to 30.
   TERRELLA_LEVEL = 16,
-  // A column or row is not in 0 to 2^level − 1.
+  // Status: a column or row is not in 0 to 2^level - 1.
   TERRELLA_COLUMN_OR_ROW = 17,
-  // A number is not the key of a tile.
+  // Status: a number is not the key of a tile.
   TERRELLA_KEY = 18,
-  // There is no such projection, shift or ellipsoid.
+  // Status: there is no such projection, shift or ellipsoid.
   TERRELLA_UNKNOWN = 19,
-  // A pointer is NULL that may not be.
+  // Status: a pointer is NULL that may not be.
   TERRELLA_NULL = 20,
-  // Elements of the arrays were refused: their results are NaN, and all others are written.
+  // Status: elements of the arrays were refused: their results are NaN, and all others are written.
   TERRELLA_ELEMENTS = 21,
-  // A handle was not made: nobody called its `init`, or `init` was refused.
+  // Status: a handle was not made, or its init was refused.
   TERRELLA_NOT_MADE = 22,
-  // An array for results overlaps another in part. It may be the same as one that is given, or apart from all.
+  // Status: an array for results overlaps another in part; it may be one that is given, or apart from all.
   TERRELLA_OVERLAP = 23,
 };
 #ifndef __cplusplus

@@ -10,13 +10,16 @@ use terrella::terrain::{InvalidKey, InvalidTile};
 use terrella::{InvalidDirection, InvalidEcef, InvalidEllipsoid, InvalidHeight, InvalidLatLon};
 
 macro_rules! statuses {
-    ($($(#[$doc:meta])* $name:ident = $number:literal $text:literal;)*) => {
+    ($($name:ident = $number:literal $text:literal;)*) => {
         /// What a function returns: 0 if all is well, or one number for each refusal. Nothing is written then. Numbers are
         /// never used again for something else.
         #[repr(i32)]
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum terrella_status {
-            $($(#[$doc])* $name = $number,)*
+            $(
+                #[doc = concat!(" Status: ", $text, ".")]
+                $name = $number,
+            )*
         }
 
         /// Returns what a status means, in English, for whatever number it is.
@@ -32,54 +35,30 @@ macro_rules! statuses {
 }
 
 statuses! {
-    /// All is well.
     TERRELLA_OK = 0 "all is well";
-    /// A latitude is not in [−90, 90] degrees.
     TERRELLA_LATITUDE = 1 "a latitude is not in [-90, 90] degrees";
-    /// A longitude is not finite.
     TERRELLA_LONGITUDE = 2 "a longitude is not finite";
-    /// A height is not finite.
     TERRELLA_HEIGHT = 3 "a height is not finite";
-    /// A point in Earth axes or in a local frame is not finite.
     TERRELLA_POINT = 4 "a point is not finite";
-    /// A vector has no direction: it is 0, or not finite.
     TERRELLA_DIRECTION = 5 "a vector has no direction";
-    /// A semi-major axis is not in [1e-15, 1e15] metres.
     TERRELLA_SEMI_MAJOR_AXIS = 6 "a semi-major axis is not in [1e-15, 1e15] metres";
-    /// A flattening is not in [−1000, 1).
     TERRELLA_FLATTENING = 7 "a flattening is not in [-1000, 1)";
-    /// The flattening is outside the range in which this formula is accurate.
     TERRELLA_UNSUPPORTED_FLATTENING = 8 "the flattening is outside the range in which this formula is accurate";
-    /// An azimuth is not finite.
     TERRELLA_AZIMUTH = 9 "an azimuth is not finite";
-    /// A distance is not finite.
     TERRELLA_DISTANCE = 10 "a distance is not finite";
-    /// A distance is longer than this method allows.
     TERRELLA_TOO_FAR = 11 "a distance is longer than this method allows";
-    /// The method does not converge between these places, which are nearly antipodal.
     TERRELLA_NOT_CONVERGED = 12 "the method does not converge between these places";
-    /// A fraction makes no finite distance.
     TERRELLA_FRACTION = 13 "a fraction makes no finite distance";
-    /// A face is not in 0 to 5.
     TERRELLA_FACE = 14 "a face is not in 0 to 5";
-    /// A point of a face is not in [−1, 1]².
     TERRELLA_FACE_POINT = 15 "a point of a face is not in [-1, 1]";
-    /// A level is not in 0 to 30.
     TERRELLA_LEVEL = 16 "a level is not in 0 to 30";
-    /// A column or row is not in 0 to 2^level − 1.
     TERRELLA_COLUMN_OR_ROW = 17 "a column or row is not in 0 to 2^level - 1";
-    /// A number is not the key of a tile.
     TERRELLA_KEY = 18 "a number is not the key of a tile";
-    /// There is no such projection, shift or ellipsoid.
     TERRELLA_UNKNOWN = 19 "there is no such projection, shift or ellipsoid";
-    /// A pointer is NULL that may not be.
     TERRELLA_NULL = 20 "a pointer is NULL that may not be";
-    /// Elements of the arrays were refused: their results are NaN, and all others are written.
-    TERRELLA_ELEMENTS = 21 "elements of the arrays were refused";
-    /// A handle was not made: nobody called its `init`, or `init` was refused.
+    TERRELLA_ELEMENTS = 21 "elements of the arrays were refused: their results are NaN, and all others are written";
     TERRELLA_NOT_MADE = 22 "a handle was not made, or its init was refused";
-    /// An array for results overlaps another in part. It may be the same as one that is given, or apart from all.
-    TERRELLA_OVERLAP = 23 "an array for results overlaps another in part";
+    TERRELLA_OVERLAP = 23 "an array for results overlaps another in part; it may be one that is given, or apart from all";
 }
 
 use terrella_status::*;

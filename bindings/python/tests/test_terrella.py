@@ -74,6 +74,8 @@ def test_geod_is_pyprojs(ellps):
     got = ours.inv_intermediate(1, 2, 30, 40, del_s=3e5)
     expected = theirs.inv_intermediate(1, 2, 30, 40, del_s=3e5, return_back_azimuth=True)
     assert got.npts == expected.npts and np.allclose(got.lats, expected.lats, rtol=0, atol=1e-11)
+    with pytest.raises(ValueError, match="del_s above 0"):
+        ours.inv_intermediate(1, 2, 30, 40)
     assert ours.line_length(lon1, lat1) == pytest.approx(theirs.line_length(lon1, lat1), rel=1e-14)
     assert ours.line_lengths([1, 2, 3], [4, 5, 6]) == pytest.approx(theirs.line_lengths([1, 2, 3], [4, 5, 6]), rel=1e-13)
     got, expected = (geod.polygon_area_perimeter([-74, -102, -102, -131, -163, 163, 172, 140, 113, 88, 59, 25, -4, -14, -33, -46, -61], [-72.9, -71.9, -74.9, -74.3, -77.5, -77.4, -71.7, -65.9, -65.7, -66.6, -66.9, -69.8, -70.0, -71.0, -77.3, -77.9, -74.7]) for geod in (ours, theirs))
@@ -179,11 +181,7 @@ def test_any_place_there_and_back(lat, lon, height):
 
 def test_every_method_and_projection():
     for method in terrella.METHODS:
-        about = (47.0, 8.0) if method in ("plane",) else None
-        try:
-            geodesic = terrella.Geodesic(method=method, about=about)
-        except ValueError:
-            geodesic = terrella.Geodesic(method=method, about=(47.0, 8.0))
+        geodesic = terrella.Geodesic(method=method, about=(47.0, 8.0))
         assert geodesic.distance(lat1=47, lon1=8, lat2=47.01, lon2=8.01) == pytest.approx(1347.0, rel=6e-3)
     lat, lon = places(500)
     assert len(terrella.PROJECTIONS) > 20

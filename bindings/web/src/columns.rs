@@ -38,7 +38,6 @@ extern "C" fn points() -> usize {
 /// Numbers that a column holds as they are.
 pub trait Number: 'static {}
 
-impl Number for f32 {}
 impl Number for f64 {}
 impl Number for u32 {}
 impl Number for u64 {}

@@ -3,8 +3,8 @@
 import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
-// The project: the tests run beside the installed package.
-const root = pathToFileURL(`${process.env.TRUTH}/`);
+// The tests of the package run beside where it is installed, and are told where the project is.
+const root = process.env.TRUTH ? pathToFileURL(`${process.env.TRUTH}/`) : new URL("../../../", import.meta.url);
 
 /** The rows of a truth file, as objects of text. */
 export function truth(name) {

@@ -134,6 +134,8 @@ class Geod:
         """Places between two: so many, or as many as fit best into steps of ``del_s`` metres, which are made equal then."""
         azimuth, _, dist = self.inv(lon1, lat1, lon2, lat2, radians=radians)
         if npts == 0:
+            if not del_s > 0:
+                raise ValueError(f"expected npts, or del_s above 0, got {npts} and {del_s}")
             npts = int(np.floor(dist / del_s - initial_idx - terminus_idx + 1 + 0.5))
         step = dist / (npts + initial_idx + terminus_idx - 1)
         points = self.fwd_intermediate(
