@@ -11,6 +11,10 @@ use crate::parallel::{Columns, Refused, run};
 struct Rings<'a>(&'a [i64]);
 
 impl Columns for Rings<'_> {
+    fn rows(&self) -> usize {
+        self.0.len().saturating_sub(1)
+    }
+
     fn cut(self, rows: usize) -> (Self, Self) {
         (Self(&self.0[..=rows]), Self(&self.0[rows..]))
     }
@@ -28,15 +32,13 @@ fn rings_f64<'py>(
 ) -> PyResult<Refused> {
     let (corners, made) = (slices(&corners)?, slices_mut(&mut made)?);
     let area = Area::new(Ellipsoid::new(ellipsoid.0, ellipsoid.1).map_err(refusal)?).map_err(refusal)?;
-    let rings = made[0].len();
-    Ok(run(
+    run(
         py,
         threads,
-        rings,
         Rings(offsets.as_slice()?),
         made,
         |Rings(offsets), [areas, perimeters]| polygons(&area, offsets, corners, areas, perimeters),
-    ))
+    )
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

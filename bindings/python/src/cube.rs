@@ -46,14 +46,9 @@ macro_rules! scalar {
                 (faces.as_slice_mut()?, slices_mut(&mut points)?),
             );
             let map = &map.get().$field;
-            Ok(run(
-                py,
-                threads,
-                places[0].len(),
-                places,
-                made,
-                |places, (faces, points)| project(map, places, faces, points),
-            ))
+            run(py, threads, places, made, |places, (faces, points)| {
+                project(map, places, faces, points)
+            })
         }
 
         #[pyfunction]
@@ -67,14 +62,9 @@ macro_rules! scalar {
         ) -> PyResult<Refused> {
             let (given, places) = ((faces.as_slice()?, slices(&points)?), slices_mut(&mut places)?);
             let map = &map.get().$field;
-            Ok(run(
-                py,
-                threads,
-                given.0.len(),
-                given,
-                places,
-                |(faces, points), places| unproject(map, faces, points, places),
-            ))
+            run(py, threads, given, places, |(faces, points), places| {
+                unproject(map, faces, points, places)
+            })
         }
     };
 }

@@ -57,14 +57,9 @@ macro_rules! functions {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let method = &solver.get().$field;
-            Ok(run(
-                py,
-                threads,
-                given[0].len(),
-                given,
-                made,
-                |[lat1, lon1, lat2, lon2], lines| inverse(method, [lat1, lon1], [lat2, lon2], lines),
-            ))
+            run(py, threads, given, made, |[lat1, lon1, lat2, lon2], lines| {
+                inverse(method, [lat1, lon1], [lat2, lon2], lines)
+            })
         }
 
         #[pyfunction]
@@ -77,14 +72,9 @@ macro_rules! functions {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let method = &solver.get().$field;
-            Ok(run(
-                py,
-                threads,
-                given[0].len(),
-                given,
-                made,
-                |[lat1, lon1, lat2, lon2], [metres]| distance(method, [lat1, lon1], [lat2, lon2], metres),
-            ))
+            run(py, threads, given, made, |[lat1, lon1, lat2, lon2], [metres]| {
+                distance(method, [lat1, lon1], [lat2, lon2], metres)
+            })
         }
 
         #[pyfunction]
@@ -97,14 +87,9 @@ macro_rules! functions {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let method = &solver.get().$field;
-            Ok(run(
-                py,
-                threads,
-                given[0].len(),
-                given,
-                made,
-                |[lat, lon, azimuth, distance], ends| direct(method, [lat, lon], azimuth, distance, ends),
-            ))
+            run(py, threads, given, made, |[lat, lon, azimuth, distance], ends| {
+                direct(method, [lat, lon], azimuth, distance, ends)
+            })
         }
     };
 }
@@ -129,9 +114,9 @@ fn along_f64<'py>(
         .map_err(refusal)?
         .line(from, start.2)
         .map_err(refusal)?;
-    Ok(run(py, threads, given[0].len(), given, made, |[distance], points| {
+    run(py, threads, given, made, |[distance], points| {
         along(&line, distance, points)
-    }))
+    })
 }
 
 /// Semi-major axis and flattening of the ellipsoid of a name.

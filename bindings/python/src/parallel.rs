@@ -6,25 +6,42 @@ use std::thread;
 use pyo3::prelude::*;
 use terrella::batch::InvalidBatch;
 
+use crate::geodesic::refusal;
+
 /// Columns that can be cut in two.
 pub trait Columns: Sized + Send {
+    /// How many rows there are.
+    fn rows(&self) -> usize;
+
     /// The first rows, and the others.
     fn cut(self, rows: usize) -> (Self, Self);
 }
 
 impl<T: Sync> Columns for &[T] {
+    fn rows(&self) -> usize {
+        self.len()
+    }
+
     fn cut(self, rows: usize) -> (Self, Self) {
         self.split_at(rows)
     }
 }
 
 impl<T: Send> Columns for &mut [T] {
+    fn rows(&self) -> usize {
+        self.len()
+    }
+
     fn cut(self, rows: usize) -> (Self, Self) {
         self.split_at_mut(rows)
     }
 }
 
 impl<C: Columns, const N: usize> Columns for [C; N] {
+    fn rows(&self) -> usize {
+        self.first().map_or(0, Columns::rows)
+    }
+
     fn cut(self, rows: usize) -> (Self, Self) {
         let mut others = Vec::with_capacity(N);
         let first = self.map(|column| {
@@ -38,6 +55,10 @@ impl<C: Columns, const N: usize> Columns for [C; N] {
 }
 
 impl<A: Columns, B: Columns> Columns for (A, B) {
+    fn rows(&self) -> usize {
+        self.0.rows()
+    }
+
     fn cut(self, rows: usize) -> (Self, Self) {
         let ((a, b), (c, d)) = (self.0.cut(rows), self.1.cut(rows));
         ((a, c), (b, d))
@@ -52,15 +73,15 @@ pub type Refused = Option<(usize, usize, String)>;
 pub fn run<G: Columns, M: Columns, E: Display>(
     py: Python<'_>,
     threads: usize,
-    rows: usize,
     given: G,
     made: M,
     body: impl Fn(G, M) -> Result<(), InvalidBatch<E>> + Sync,
-) -> Refused {
+) -> PyResult<Refused> {
+    let rows = given.rows();
     let part = |start, given, made| match body(given, made) {
-        Ok(()) => None,
-        Err(InvalidBatch::Elements { count, first, why }) => Some((count, start + first, why.to_string())),
-        Err(lengths) => Some((rows, 0, lengths.to_string())),
+        Ok(()) => Ok(None),
+        Err(InvalidBatch::Elements { count, first, why }) => Ok(Some((count, start + first, why.to_string()))),
+        Err(lengths) => Err(refusal(lengths)),
     };
     py.detach(|| {
         let threads = threads.clamp(1, rows.max(1));
@@ -79,10 +100,15 @@ pub fn run<G: Columns, M: Columns, E: Display>(
                 workers.push(scope.spawn(move || part(start, of_given, of_made)));
                 start += here;
             }
-            let parts = workers.into_iter().map(|worker| worker.join().expect("nothing panics"));
-            parts
-                .flatten()
-                .reduce(|(count, first, why), (more, _, _)| (count + more, first, why))
+            let mut all: Refused = None;
+            for worker in workers {
+                let part = worker.join().expect("nothing panics")?;
+                all = match (all, part) {
+                    (Some((count, first, why)), Some((more, _, _))) => Some((count + more, first, why)),
+                    (all, part) => all.or(part),
+                };
+            }
+            Ok(all)
         })
     })
 }

@@ -20,9 +20,9 @@ macro_rules! scalar {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let figure = Ellipsoid::new(ellipsoid.0 as $t, ellipsoid.1 as $t).map_err(refusal)?;
-            Ok(run(py, threads, given[0].len(), given, made, |places, points| {
+            run(py, threads, given, made, |places, points| {
                 to_ecef(figure, places, points)
-            }))
+            })
         }
 
         #[pyfunction]
@@ -35,9 +35,9 @@ macro_rules! scalar {
         ) -> PyResult<Refused> {
             let (given, made) = (slices(&given)?, slices_mut(&mut made)?);
             let figure = Ellipsoid::new(ellipsoid.0 as $t, ellipsoid.1 as $t).map_err(refusal)?;
-            Ok(run(py, threads, given[0].len(), given, made, |points, places| {
+            run(py, threads, given, made, |points, places| {
                 to_geodetic(figure, points, places)
-            }))
+            })
         }
 
         /// Both ways between places and the axes of a frame, by the way's name.
@@ -55,28 +55,27 @@ macro_rules! scalar {
             let figure = Ellipsoid::new(ellipsoid.0 as $t, ellipsoid.1 as $t).map_err(refusal)?;
             let place = LatLon::new(origin.0 as $t, origin.1 as $t).map_err(refusal)?;
             let axes = LocalFrame::new(figure, Geodetic::new(place, origin.2 as $t).map_err(refusal)?);
-            let rows = given[0].len();
-            Ok(match way {
-                "to_enu" => run(py, threads, rows, given, made, |g, m| {
+            match way {
+                "to_enu" => run(py, threads, given, made, |g, m| {
                     frame::geodetic_to_enu(&axes, g, m)
                 }),
-                "to_ned" => run(py, threads, rows, given, made, |g, m| {
+                "to_ned" => run(py, threads, given, made, |g, m| {
                     frame::geodetic_to_ned(&axes, g, m)
                 }),
-                "to_aer" => run(py, threads, rows, given, made, |g, m| {
+                "to_aer" => run(py, threads, given, made, |g, m| {
                     frame::geodetic_to_aer(&axes, g, m)
                 }),
-                "from_enu" => run(py, threads, rows, given, made, |g, m| {
+                "from_enu" => run(py, threads, given, made, |g, m| {
                     frame::enu_to_geodetic(&axes, g, m)
                 }),
-                "from_ned" => run(py, threads, rows, given, made, |g, m| {
+                "from_ned" => run(py, threads, given, made, |g, m| {
                     frame::ned_to_geodetic(&axes, g, m)
                 }),
-                "from_aer" => run(py, threads, rows, given, made, |g, m| {
+                "from_aer" => run(py, threads, given, made, |g, m| {
                     frame::aer_to_geodetic(&axes, g, m)
                 }),
-                _ => return Err(refusal(format_args!("{way:?} is no way between places and axes"))),
-            })
+                _ => Err(refusal(format_args!("{way:?} is no way between places and axes"))),
+            }
         }
 
         /// From one auxiliary latitude to another, in degrees.
@@ -94,9 +93,9 @@ macro_rules! scalar {
             let figure = Ellipsoid::new(ellipsoid.0 as $t, ellipsoid.1 as $t).map_err(refusal)?;
             let (from, to): (Latitude, Latitude) = (from.parse().map_err(refusal)?, to.parse().map_err(refusal)?);
             let conversion = Conversion::new(figure, from, to).map_err(refusal)?;
-            Ok(run(py, threads, given[0].len(), given, made, |[from], [to]| {
+            run(py, threads, given, made, |[from], [to]| {
                 latitude::degrees(&conversion, from, to)
-            }))
+            })
         }
     };
 }

@@ -28,9 +28,9 @@ fn keys<'py>(
         )));
     }
     let map = &map.get().double;
-    Ok(run(py, threads, places[0].len(), places, keys, |places, [keys]| {
+    run(py, threads, places, keys, |places, [keys]| {
         places_to_key::<Hilbert, _, _>(map, level, places, keys)
-    }))
+    })
 }
 
 /// Keys of tiles.
@@ -43,14 +43,9 @@ fn tiles_to_keys<'py>(
     mut keys: [Made<'py, u64>; 1],
 ) -> PyResult<Refused> {
     let (given, keys) = ((slices(&bytes)?, slices(&squares)?), slices_mut(&mut keys)?);
-    Ok(run(
-        py,
-        threads,
-        given.0[0].len(),
-        given,
-        keys,
-        |([faces, levels], squares), [keys]| to_key::<Hilbert, u8>(faces, levels, squares, keys),
-    ))
+    run(py, threads, given, keys, |([faces, levels], squares), [keys]| {
+        to_key::<Hilbert, u8>(faces, levels, squares, keys)
+    })
 }
 
 /// Tiles of keys.
@@ -63,14 +58,9 @@ fn keys_to_tiles<'py>(
     mut squares: [Made<'py, u32>; 2],
 ) -> PyResult<Refused> {
     let (keys, made) = (slices(&keys)?, (slices_mut(&mut bytes)?, slices_mut(&mut squares)?));
-    Ok(run(
-        py,
-        threads,
-        keys[0].len(),
-        keys,
-        made,
-        |[keys], ([faces, levels], squares)| from_key::<Hilbert, u8>(keys, faces, levels, squares),
-    ))
+    run(py, threads, keys, made, |[keys], ([faces, levels], squares)| {
+        from_key::<Hilbert, u8>(keys, faces, levels, squares)
+    })
 }
 
 /// South, west, north and east of the box that holds a tile.
@@ -128,14 +118,9 @@ fn healpix_containing<'py>(
 ) -> PyResult<Refused> {
     let (places, numbers) = (slices(&places)?, slices_mut(&mut numbers)?);
     let surface = surface(ellipsoid)?;
-    Ok(run(
-        py,
-        threads,
-        places[0].len(),
-        places,
-        numbers,
-        |places, [numbers]| containing(&surface, depth, places, numbers),
-    ))
+    run(py, threads, places, numbers, |places, [numbers]| {
+        containing(&surface, depth, places, numbers)
+    })
 }
 
 /// Centres of pixels.
@@ -150,14 +135,9 @@ fn healpix_centre<'py>(
 ) -> PyResult<Refused> {
     let (numbers, places) = (slices(&numbers)?, slices_mut(&mut places)?);
     let surface = surface(ellipsoid)?;
-    Ok(run(
-        py,
-        threads,
-        numbers[0].len(),
-        numbers,
-        places,
-        |[numbers], places| centre(&surface, depth, numbers, places),
-    ))
+    run(py, threads, numbers, places, |[numbers], places| {
+        centre(&surface, depth, numbers, places)
+    })
 }
 
 fn surface(ellipsoid: (f64, f64)) -> PyResult<OnEllipsoid<f64>> {
